@@ -43,6 +43,7 @@ public:
       check_percent_retained();
       check_percent_washed();
     }
+    check_percent_of_fines();
     return adds_up_;
   }
 
@@ -85,7 +86,7 @@ private:
                                    shown(whole->value), in_quotes(rows_.total()->label), shown(total.value),
                                    words));
     } else {
-      compare_masses(c, *whole, total, *rows_.total());
+      compare_masses(c, *whole, total, *rows_.total(), a_.loss.is_asked() ? a_.loss.percent() : Rational(0));
     }
   }
 
@@ -106,13 +107,14 @@ private:
     return {};
   }
 
-  /// Two sums of one sample: a note, or an error beyond what may be lost. `where` has the label and the line.
+  /// Two sums of one sample: a note, or an error beyond what may be lost, in percent. `where` has the label
+  /// and the line.
   template <typename Where>
-  void compare_masses(std::size_t c, const PrintedNumber &rows, const PrintedNumber &said,
-                      const Where &where) {
+  void compare_masses(std::size_t c, const PrintedNumber &rows, const PrintedNumber &said, const Where &where,
+                      const Rational &allowed) {
     const Rational difference = said.value - rows.value;
     const Rational percent = said.value == 0 ? Rational(100) : Rational(100 * abs(difference) / said.value);
-    if (percent <= a_.loss.percent()) {
+    if (percent <= allowed) {
       adds_up_ = true;
       notes_.push_back(fmt::format("The rows of {} add up to {}, {} says {}: {} percent {}; the rows are "
                                    "used.",
@@ -120,16 +122,24 @@ private:
                                    shown_hundredths(percent), difference > 0 ? "less" : "more"));
       return;
     }
-    const std::string_view missing =
-        difference > 0 && !column(c).below
-            ? "write the row 'pan' or 'Wash loss' if the rest passes the finest sieve"
-            : "correct the sheet";
     source_.refuse(where.line,
-                   fmt::format("the rows of {} add up to {}, and {} says {}, which is {} percent {}: {}, or "
-                               "allow it with {}; {}",
+                   fmt::format("the rows of {} add up to {}, and {} says {}, a difference of {} percent "
+                               "of that: {}, or allow it with {}; {}",
                                quoted(c), shown(rows.value), in_quotes(where.label), shown(said.value),
-                               shown_hundredths(percent), difference > 0 ? "more" : "less", missing,
+                               shown_hundredths(percent), remedy_of_sum(c, said, difference > 0),
                                option("loss"), split_remedy()));
+  }
+
+  /// What to do where rows do not add up to what is said.
+  std::string remedy_of_sum(std::size_t c, const PrintedNumber &said, bool is_short) const {
+    const AccountColumn &here = column(c);
+    if (is_short && !here.below)
+      return "write the row 'pan' or 'Wash loss' if the rest passes the finest sieve";
+    const std::optional<PrintedNumber> &last = here.sieves.back();
+    if (!is_short && here.is_retained() && last && a_.loss.explains(*last, said))
+      return fmt::format("say {} cumulative if {} is cumulative, else correct the sheet", option("kind"),
+                         quoted(c));
+    return "correct the sheet";
   }
 
   void check_initial(std::size_t c) {
@@ -144,7 +154,7 @@ private:
         adds_up_ = true;
       else if (!(stated == &stated_.sieved && is_without_wash(c, *sum, *mass)) &&
                !is_whole_of_shares(*mass) && !(a_.is_asked && column(0).is_share()))
-        compare_masses(c, *sum, *mass, **stated);
+        compare_masses(c, *sum, *mass, **stated, a_.loss.percent());
     }
   }
 
@@ -170,7 +180,7 @@ private:
     const std::optional<PrintedNumber> row = here.is_retained() ? number_of(rows_.wash(), c) : std::nullopt;
     if (const std::optional<PrintedNumber> gone = stated ? stated : row) {
       if (!compared_.whole && !agree(*sum - *gone, *washed))
-        compare_masses(c, *sum - *gone, *washed, *stated_.washed);
+        compare_masses(c, *sum - *gone, *washed, *stated_.washed, a_.loss.percent());
     } else if (!rows_.have_wash() && compared_.deciding == c && !a_.is_asked) {
       source_.refuse(
           stated_.washed->line,
@@ -269,6 +279,24 @@ private:
                       "correct one of them",
                       shown_hundredths(washed->value), below ? shown(below->value) : "0",
                       quoted(compared_.deciding)));
+  }
+
+  /// What a sheet calls fines passes a sieve of some 0.06 mm, and any coarser one.
+  void check_percent_of_fines() const {
+    const std::optional<PrintedNumber> whole = deciding().whole();
+    if (a_.is_asked || !whole || whole->value <= whole->half ||
+        rows_.sieves.back().size * in_mm(a_.unit) < ratio(6, 100))
+      return;
+    const std::optional<PrintedNumber> &below = deciding().below;
+    const PrintedNumber passing = below ? share_of(*below, *whole) : PrintedNumber{0, 0};
+    for (const StatedMass &fines : stated_.fines_percent)
+      if (passing.range().hi < fines.mass.range().lo)
+        source_.refuse(fines.line,
+                       fmt::format("{} is {} percent, and only {} pass the finest sieve by the column {}: "
+                                   "write a row 'Wash loss' with the mass if it was washed out, else "
+                                   "correct one of them",
+                                   in_quotes(fines.label), shown(fines.mass.value),
+                                   shown_hundredths(passing.value), quoted(compared_.deciding)));
   }
 
   const OrderedAccounts &a_;

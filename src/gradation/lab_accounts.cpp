@@ -43,6 +43,15 @@ std::vector<AccountColumn> account_columns(LabRows &rows) {
   return columns;
 }
 
+/// Numbers without a unit may be shares or masses.
+std::vector<AccountColumn> unread_columns(const LabRows &rows) {
+  std::vector<AccountColumn> columns;
+  for (const ColumnBeside &unread : rows.unread)
+    columns.push_back(
+        account_column(unread.column.name, unread.column.meaning, grams_in(unread.column.name)));
+  return columns;
+}
+
 /// The sieves, and what else there is.
 std::vector<AccountRow> account_rows(const LabRows &rows) {
   const Table &table = rows.table;
@@ -56,6 +65,8 @@ std::vector<AccountRow> account_rows(const LabRows &rows) {
                    {PrintedNumber{table.values[i], table.roundings[i]}}};
     for (const ColumnBeside &beside : rows.beside)
       row.numbers.push_back(i < beside.numbers.size() ? beside.numbers[i] : std::nullopt);
+    for (const ColumnBeside &unread : rows.unread)
+      row.numbers.push_back(unread.numbers[i]);
     all.push_back(std::move(row));
   }
   all.insert(all.end(), rows.accounts.begin(), rows.accounts.end());
@@ -63,10 +74,10 @@ std::vector<AccountRow> account_rows(const LabRows &rows) {
 }
 
 SheetAccounts accounts_of(LabRows &rows, bool is_asked) {
-  SheetAccounts sheet{account_columns(rows), is_asked,        account_rows(rows),
-                      rows.stated,           rows.table.unit, rows.table.header_line};
+  SheetAccounts sheet{account_columns(rows), unread_columns(rows),  is_asked, account_rows(rows), rows.stated,
+                      rows.table.unit,       rows.table.header_line};
   for (AccountRow &row : sheet.rows)
-    for (std::size_t c = 0; c < row.numbers.size(); ++c)
+    for (std::size_t c = 0; c < std::min(row.numbers.size(), sheet.columns.size()); ++c)
       if (row.numbers[c])
         row.numbers[c] = *row.numbers[c] * scale(sheet.columns[c].meaning);
   return sheet;

@@ -4,6 +4,7 @@
 #include "gradation/plain_words.hpp"
 #include "gradation/row_sizes.hpp"
 #include "gradation/sheet_remarks.hpp"
+#include "gradation/unread_columns.hpp"
 #include "gradation/unused_columns.hpp"
 #include "gradation/weighed_sieves.hpp"
 #include "text/lines.hpp"
@@ -87,6 +88,13 @@ bool begins_with_sieve(std::string_view cell) {
          (is_digit(cell.front()) || cell.front() == '#' || plain_words(cell).starts_with("no "));
 }
 
+/// True where a number of the row has a decimal point, so that no comma between cells is a decimal sign.
+bool has_point(const CellRow &row) {
+  return std::any_of(row.cells.begin(), row.cells.end(), [](const std::string &cell) {
+    return number_cell(cell) && cell.find('.') != std::string::npos;
+  });
+}
+
 /// The row's first cell that has something in it.
 std::string_view first_cell(const CellRow &row) {
   return *std::find_if(row.cells.begin(), row.cells.end(), [](const std::string &c) { return !c.empty(); });
@@ -107,6 +115,13 @@ bool names_sample(std::string_view cell) {
   return names_samples(words.substr(0, words.find(' ')));
 }
 
+/// True for words that may be about what passes the finest sieve, and are not known.
+bool may_pass_finest(const MassStatement &s) {
+  return s.meaning == RowMeaning::none &&
+         (s.is_sentence || (speaks_of_washing(s.label) && !names_washed_part(s.label)) ||
+          may_be_fines(s.label));
+}
+
 /// True for what has a row in the table; other masses stand beside it.
 bool belongs_to_table(RowMeaning meaning) {
   return meaning == RowMeaning::pan || meaning == RowMeaning::wash_loss ||
@@ -124,7 +139,8 @@ public:
         statements_(statements_above(cells_, columns_)),
         sign_(sign_of(cells_, columns_, statements_, source)), sizes_(cells_, columns_, reading, sign_),
         chosen_(columns_.value_name, columns_.values, columns_.grams, sign_),
-        beside_(columns_.further, sign_), unused_(columns_, reading.columns.has_value(), sign_, source) {
+        beside_(columns_.further, sign_), unused_(columns_, reading.columns.has_value(), sign_, source),
+        common_others_(columns_.others), all_others_(columns_.others) {
     read_.table.unit = sizes_.unit();
     read_.table.file_unit = sizes_.file_unit();
     read_.table.header_line = header_line(cells_, columns_);
@@ -139,13 +155,17 @@ public:
                                  in_quotes(columns_.size_name), in_quotes(columns_.value_name),
                                  column_options()));
     check_samples();
+    check_last_column();
+    columns_.others = common_others_;
     unused_.check_corrected(read_.table, sieves_,
                             chosen_.meaning().meaning); // ranges have no row of their top yet
     sizes_.settle(read_.table, chosen_.meaning().meaning == ColumnMeaning::retained, source_);
     take_stated();
-    columns_.values = chosen_.meaning();
-    read_.columns = columns_;
     read_.beside = beside_.all();
+    read_.unread = unused_.speaking_of_mass(sieves_);
+    columns_.values = chosen_.meaning();
+    columns_.others = all_others_;
+    read_.columns = columns_;
     return std::move(read_);
   }
 
@@ -206,9 +226,12 @@ private:
       refuse(fmt::format("a second table begins, with {} where the first has {}: leave one of them out",
                          in_quotes(next->value_name), in_quotes(columns_.value_name)));
     check_second_table(next->first_row);
+    check_new_columns(*next);
+    read_.further_headers.push_back(row().line);
     columns_.size = next->size;
     columns_.value = next->value;
     columns_.names = next->names;
+    take_others(next->others);
     if (next->sizes.unit != columns_.sizes.unit)
       sizes_.begin_unit();
     columns_.sizes = next->sizes;
@@ -243,6 +266,37 @@ private:
           "a second table begins below {}: it may be of another sample, or of a part of the first, which "
           "mdm convert {} joins: leave one of them out, or the words between them",
           in_quotes(words_below_.back()), option("split", OptionSpelling::program)));
+  }
+
+  /// A column of masses that the first header has not could be compared with a part of the table alone.
+  void check_new_columns(const TableColumns &next) const {
+    const auto refuse_new = [this](const std::string &name) {
+      refuse(fmt::format("a second table begins, with a column {} that the first has not: write both parts "
+                         "below one header, or leave the column out",
+                         in_quotes(name)));
+    };
+    for (const FurtherColumn &column : next.further)
+      if (!beside_.have(column))
+        refuse_new(column.name);
+    for (const UnusedColumn &column : next.others)
+      if ((may_hold_values(column.name) || UnusedColumns::names_mass(column.name)) &&
+          !is_among(column, columns_.others))
+        refuse_new(column.name);
+  }
+
+  static bool is_among(const UnusedColumn &column, const std::vector<UnusedColumn> &others) {
+    return std::any_of(others.begin(), others.end(), [&column](const UnusedColumn &other) {
+      return other.place == column.place && other.name == column.name;
+    });
+  }
+
+  /// The columns of the rows to come, and those that all rows have.
+  void take_others(const std::vector<UnusedColumn> &next) {
+    columns_.others = next;
+    std::erase_if(common_others_, [&next](const UnusedColumn &column) { return !is_among(column, next); });
+    for (const UnusedColumn &column : next)
+      if (!is_among(column, all_others_))
+        all_others_.push_back(column);
   }
 
   /// The unit that was asked for is that of the first header.
@@ -287,7 +341,7 @@ private:
                          in_quotes(first_cell(row())), in_quotes(columns_.value_name)));
     if (below_gap_ && known.meaning == RowMeaning::passing)
       words_below_.emplace_back(first_cell(row()));
-    if (!belongs_to_table(known.meaning) || statements_.size() == before)
+    if (statements_.size() == before || known.meaning == RowMeaning::moist_mass)
       leave();
     return true;
   }
@@ -471,14 +525,12 @@ private:
   /// Numbers beside words that say nothing of masses may be dates.
   void take_stated() {
     for (const MassStatement &s : statements_) {
-      const bool may_pass =
-          s.meaning == RowMeaning::none &&
-          ((speaks_of_washing(s.label) && !names_washed_part(s.label)) || may_be_fines(s.label));
-      if (may_pass && s.grams != 0)
-        source_.refuse(s.line,
-                       fmt::format("{} may be a mass that passes the finest sieve: write Wash loss, or a "
-                                   "row Pan, if it is, else leave it out",
-                                   in_quotes(s.label)));
+      const bool may_pass = may_pass_finest(s);
+      const bool is_washed_fines = speaks_of_washing(s.label) && may_be_fines(s.label) && !s.is_percent;
+      if (may_pass && (s.grams != 0 || s.is_sentence || is_washed_fines))
+        source_.refuse(s.line, fmt::format("{} may be what passes the finest sieve: write Wash loss, or a "
+                                           "row Pan, if it is, else leave it out",
+                                           in_quotes(s.label)));
       if (s.meaning == RowMeaning::none && s.grams != 0 && speaks_of_retaining(s.label))
         source_.refuse(s.line, fmt::format("{} is a mass on a sieve, outside the table: write it as a row of "
                                            "the table, or leave it out",
@@ -498,7 +550,7 @@ private:
 
   /// Rows of several samples, one below the other, are no stack of sieves.
   void check_samples() const {
-    for (const UnusedColumn &column : columns_.others) {
+    for (const UnusedColumn &column : common_others_) {
       const bool may_be_parts = chosen_.meaning().meaning == ColumnMeaning::retained &&
                                 has_word("test part portion stage", plain_words(column.name));
       if (!names_samples(column.name) && !may_be_parts)
@@ -576,10 +628,44 @@ private:
     if (cells_.delimiter != ',')
       return;
     const std::string_view value = value_cell();
-    if (size_cell() == "0" && has_unused_number())
+    if (size_cell() == "0" && has_unused_number() && !has_point(row()))
       refuse(fmt::format("0 and {} may be a size with a decimal comma: {}", in_quotes(value), comma_remedy));
     if (value.size() > 1 && value.front() == '0' && is_digit(value[1]))
       refuse(fmt::format("{} begins with 0, as behind a decimal comma: {}", in_quotes(value), comma_remedy));
+  }
+
+  /// `Sieb (mm),Rueckstand (g),Bemerkung` above `4,12,3`: the last column may have the decimals of the
+  /// masses.
+  void check_last_column() const {
+    const auto last =
+        std::find_if(common_others_.begin(), common_others_.end(), [this](const UnusedColumn &c) {
+          return c.place == columns_.value + 1 && c.place + 1 == columns_.width;
+        });
+    if (cells_.delimiter != ',' || reading_.columns || last == common_others_.end() ||
+        std::any_of(sieves_.begin(), sieves_.end(), [](const CellRow *row) { return has_point(*row); }))
+      return;
+    constexpr std::size_t longest = 3;
+    const bool is_remark = heads_remarks(last->name);
+    std::vector<const CellRow *> cut;
+    for (const CellRow *sieve : sieves_) {
+      const std::string_view cell = sieve->cell(last->place);
+      if (cell.empty())
+        continue;
+      const bool is_like_others =
+          is_remark || cut.empty() || cell.size() == cut.back()->cell(last->place).size();
+      if (!is_like_others || cell.size() > longest || !std::all_of(cell.begin(), cell.end(), is_digit))
+        return;
+      cut.push_back(sieve);
+    }
+    const auto masses = std::count_if(read_.table.values.begin(), read_.table.values.end(),
+                                      [](const Rational &value) { return value != 0; });
+    if (cut.size() >= 2 && 2 * std::ssize(cut) >= masses)
+      source_.refuse(cut.back()->line,
+                     fmt::format("{} and {} in the columns {} and {} may be one number with a decimal comma: "
+                                 "{}, or choose the columns with {} SIZE,VALUE",
+                                 in_quotes(cut.back()->cell(columns_.value)),
+                                 in_quotes(cut.back()->cell(last->place)), in_quotes(columns_.value_name),
+                                 in_quotes(last->name), comma_remedy, option("columns")));
   }
 
   bool has_unused_number() const {
@@ -598,6 +684,7 @@ private:
   ChosenColumn chosen_;
   ColumnsBeside beside_;
   UnusedColumns unused_;
+  std::vector<UnusedColumn> common_others_, all_others_; ///< below all headers, and below any
   LabRows read_;
   std::size_t row_ = 0;
   bool below_gap_ = false;

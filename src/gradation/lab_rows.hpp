@@ -14,11 +14,13 @@ struct LabRows {
   TableColumns columns;             ///< of the last header; the values with the unit that their cells have
   Table table;                      ///< sizes, and the values as they stand in the chosen column
   std::vector<ColumnBeside> beside; ///< the other columns of masses
+  std::vector<ColumnBeside> unread; ///< columns that are not understood and speak of mass
   std::vector<AccountRow> accounts; ///< rows of the pan, of losses and of sums
   std::vector<StatedNumber> stated; ///< above and below the table
-  ShortList left;                   ///< rows that are none of these
-  ShortList hidden;                 ///< of a workbook: those that were read, and its sheet does not show
-  ShortList long_numbers;           ///< of a workbook: those that have no decimal of at most 15 digits
+  std::vector<std::size_t> further_headers; ///< lines of headers among the rows
+  ShortList left;                           ///< rows that are none of these
+  ShortList hidden;       ///< of a workbook: those that were read, and its sheet does not show
+  ShortList long_numbers; ///< of a workbook: those that have no decimal of at most 15 digits
 };
 
 /// Reads all rows below the header.

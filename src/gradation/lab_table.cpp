@@ -46,6 +46,9 @@ void describe_rest(Table &table, const LabRows &rows) {
   if (!others.empty())
     table.notes.push_back(
         fmt::format("Columns that were not used: {}; {} chooses others.", others.text(), option("columns")));
+  for (const std::size_t line : rows.further_headers)
+    table.notes.push_back(fmt::format(
+        "The rows below a second header, in line {}, were read as those of the same sample.", line));
   if (!rows.long_numbers.empty())
     table.notes.push_back(
         fmt::format("Cells that have no decimal of at most 15 digits were read as they are stored: "

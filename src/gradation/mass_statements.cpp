@@ -3,6 +3,7 @@
 #include "gradation/cell_numbers.hpp"
 #include "gradation/header_words.hpp"
 #include "gradation/plain_words.hpp"
+#include "gradation/sheet_remarks.hpp"
 #include "number/decimal_exponent.hpp"
 #include "text/lines.hpp"
 
@@ -27,11 +28,7 @@ std::pair<std::string_view, std::string_view> split_statement(std::string_view c
 /// `Wash loss 20 g` of `Remarks: wash loss 20 g`.
 std::string_view without_word_of_note(std::string_view cell) {
   const std::size_t colon = cell.find(':');
-  const bool is_note = colon != std::string_view::npos &&
-                       has_word("note notes remark remarks comment comments anmerkung anmerkungen bemerkung "
-                                "bemerkungen hinweis remarque remarques nota notas observacion observaciones "
-                                "osservazione osservazioni",
-                                plain_words(cell.substr(0, colon)));
+  const bool is_note = colon != std::string_view::npos && heads_remarks(cell.substr(0, colon));
   return is_note ? without_spaces(cell.substr(colon + 1)) : cell;
 }
 
@@ -107,6 +104,28 @@ bool holds_mass(std::string_view text) {
   return false;
 }
 
+/// The unit of the first mass or percentage that stands among words: `48.0 g of fines were washed out`; none
+/// where there is none.
+ColumnUnit unit_of_amount(std::string_view text) {
+  for (std::size_t i = 1; i < text.size(); ++i) {
+    const std::size_t unit = text.find_first_not_of(' ', i);
+    if (!is_digit(text[i - 1]) || is_digit(text[i]) || unit == std::string_view::npos)
+      continue;
+    const std::size_t end = std::min(text.find_first_of(" ,;:.()[]", unit), text.size());
+    const ColumnUnit found = unit_of_words(text.substr(unit, end - unit));
+    if (found == ColumnUnit::mass || found == ColumnUnit::percent)
+      return found;
+  }
+  return ColumnUnit::none;
+}
+
+/// True for a sentence with an amount that may pass the finest sieve.
+bool may_state_fines(std::string_view text) {
+  const ColumnUnit unit = unit_of_amount(text);
+  return unit != ColumnUnit::none &&
+         (speaks_of_washing(text) || (unit == ColumnUnit::mass && may_be_fines(text)));
+}
+
 class RowStatements {
 public:
   RowStatements(const CellRow &row, const CellRow *next, std::vector<MassStatement> &statements)
@@ -176,6 +195,12 @@ private:
     } else if (!is_numbered && must_be_read(label) && holds_digit(behind)) {
       state_unclear(label, behind);
       stated_ = true;
+    } else if (may_state_fines(cell)) {
+      MassStatement s{RowMeaning::none, std::string(cell), std::string(cell)};
+      s.line = row_.line;
+      s.is_sentence = true;
+      statements_.push_back(std::move(s));
+      stated_ = true;
     } else if (speaks_of_splitting(cell) && holds_digit(cell)) {
       MassStatement s{RowMeaning::none, std::string(cell), std::string(last_digits(cell))};
       s.line = row_.line;
@@ -225,7 +250,7 @@ private:
 
   /// A label alone whose number is in the row below.
   void take_below() {
-    if (next_ == nullptr)
+    if (next_ == nullptr || heads_water_content())
       return;
     for (std::size_t i = 0; i < row_.cells.size(); ++i) {
       const bool is_alone = i + 1 >= row_.cells.size() || !number_cell(row_.cell(i + 1));
@@ -238,6 +263,18 @@ private:
       stated_ = false;
       state(*number, next_->cell(i), *next_, i);
     }
+  }
+
+  /// `Container,Wet mass (g),Dry mass (g)`: the masses below are of what was dried for its water content.
+  bool heads_water_content() const {
+    bool has_moist = false, has_dry = false, has_container = false;
+    for (const std::string &cell : row_.cells) {
+      const RowMeaning meaning = row_words(cell).meaning;
+      has_moist |= meaning == RowMeaning::moist_mass;
+      has_dry |= meaning == RowMeaning::initial_mass;
+      has_container |= !has_moist && speaks_of_moisture_or_container(cell);
+    }
+    return has_moist && has_dry && has_container;
   }
 
   const CellRow &row_;

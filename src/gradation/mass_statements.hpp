@@ -14,8 +14,9 @@ struct MassStatement {
   std::string label;
   std::string digits; ///< of its number
   bool is_percent = false;
-  bool is_text = false; ///< of a workbook: a text, not stored as a number
-  unsigned grams = 0;   ///< in one of its unit; 0 where that is not said
+  bool is_text = false;     ///< of a workbook: a text, not stored as a number
+  bool is_sentence = false; ///< the number stands among words, and is not read
+  unsigned grams = 0;       ///< in one of its unit; 0 where that is not said
   std::size_t line = 1;
 };
 

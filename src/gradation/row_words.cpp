@@ -252,7 +252,9 @@ RowWords row_words(std::string_view label) {
 
 bool speaks_of_washing(std::string_view text) {
   const std::string plain = plain_words(text);
-  for (const std::string_view stem : {"wash", "wasch", "schlaemm", "lavag", "lavad", "lavat", "decant"})
+  for (const std::string_view stem :
+       {"wash", "wasch", "schlaemm", "lavag", "lavad", "lavat", "decant", "nasssieb", "nassabtrenn",
+        "wet siev", "voie humide", "via humeda", "via umida"})
     if (plain.find(stem) != std::string::npos)
       return true;
   return false;
@@ -296,7 +298,8 @@ bool may_be_remark(std::string_view label) {
 
 bool may_be_fines(std::string_view text) {
   return row_vocabulary::Words(text).have("rest remainder residue fines dust staub poussiere polvo polvere "
-                                          "p200 p075 p063 filler unterkorn durchgang feinanteil feinkorn "
+                                          "p200 p075 p063 filler unterkorn durchgang feinanteil feinanteile "
+                                          "feinanteilen feinanteils feinteil feinteile feinteilen feinkorn "
                                           "fein schluff ton silt clay finos fins reste resto restos");
 }
 

@@ -19,14 +19,14 @@ public:
     for (std::size_t c = 0; c < a_.columns.size(); ++c)
       fill(c);
     settle_unclear();
+    for (std::size_t i = 0; i < a_.unread.size(); ++i)
+      a_.unread[i].sieves = numbers_of_sieves(a_.columns.size() + i);
   }
 
 private:
   void fill(std::size_t c) {
     AccountColumn &here = a_.columns[c];
-    here.sieves.clear();
-    for (const AccountRow &sieve : rows_.sieves)
-      here.sieves.push_back(sieve.numbers[c]);
+    here.sieves = numbers_of_sieves(c);
     if (here.is_retained())
       here.below = sum_of_rows(c);
     else if (here.meaning.meaning == ColumnMeaning::cumulative)
@@ -35,6 +35,13 @@ private:
       here.below = passing_below(c);
     if (here.adds_masses())
       add_stated_wash(c);
+  }
+
+  std::vector<std::optional<PrintedNumber>> numbers_of_sieves(std::size_t c) const {
+    std::vector<std::optional<PrintedNumber>> numbers;
+    for (const AccountRow &sieve : rows_.sieves)
+      numbers.push_back(sieve.numbers[c]);
+    return numbers;
   }
 
   /// What is retained by each sieve, or by all coarser ones too, is what agrees with the chosen column.
@@ -188,8 +195,13 @@ OrderedAccounts in_order(SheetAccounts sheet, const AllowedLoss &loss, const Sou
                          std::vector<std::string> &notes) {
   AccountRows rows = rows_in_order(std::move(sheet.rows), sheet.unit, source);
   StatedMasses stated = stated_masses(sheet.stated, rows, sheet.columns[0], source);
-  OrderedAccounts accounts{std::move(sheet.columns), sheet.is_asked, std::move(rows),
-                           std::move(stated),        loss,           sheet.unit,
+  OrderedAccounts accounts{std::move(sheet.columns),
+                           std::move(sheet.unread),
+                           sheet.is_asked,
+                           std::move(rows),
+                           std::move(stated),
+                           loss,
+                           sheet.unit,
                            sheet.header_line};
   ColumnFiller(accounts, source, notes).fill_all();
   return accounts;

@@ -12,7 +12,9 @@ namespace mdm {
 /// What was read of a sheet.
 struct SheetAccounts {
   std::vector<AccountColumn> columns; ///< header, meaning and unit; the first is the chosen one
-  bool is_asked = false;              ///< it was chosen by the user
+  /// Columns that are not read and speak of mass; their numbers stand behind those of the others in each row.
+  std::vector<AccountColumn> unread;
+  bool is_asked = false; ///< the first column was chosen by the user
   std::vector<AccountRow> rows;
   std::vector<StatedNumber> stated; ///< above and below the table
   SizeUnit unit = SizeUnit::mm;
@@ -22,6 +24,7 @@ struct SheetAccounts {
 /// The same in order: the columns have the numbers of their sieves and what passes the finest.
 struct OrderedAccounts {
   std::vector<AccountColumn> columns;
+  std::vector<AccountColumn> unread; ///< with the numbers of the sieves alone
   bool is_asked;
   AccountRows rows;
   StatedMasses stated;

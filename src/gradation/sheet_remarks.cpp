@@ -41,6 +41,14 @@ bool names_index(std::string_view cell) {
                             all.find("modul") != std::string::npos || names_diameters(cell));
 }
 
+bool heads_remarks(std::string_view header) {
+  return has_word(
+      "note notes remark remarks comment comments anmerkung anmerkungen bemerkung bemerkungen bem "
+      "anm hinweis remarque remarques nota notas observacion observaciones obs osservazione "
+      "osservazioni",
+      plain_words(header));
+}
+
 bool names_remark(std::string_view cell) {
   constexpr std::string_view names =
       "date datum fecha data page seite pagina folio report bericht project projekt job order auftrag lab "

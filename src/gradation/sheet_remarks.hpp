@@ -14,4 +14,7 @@ bool names_index(std::string_view cell);
 /// content` and `Test sieve 0.063` are none.
 bool names_remark(std::string_view cell);
 
+/// The header of a column of words, or the word ahead of a note: `Remarks`, `Bemerkung`.
+bool heads_remarks(std::string_view header);
+
 } // namespace mdm

@@ -125,6 +125,8 @@ private:
                      fmt::format("{} may be what was washed out, or not: write 'Wash loss' for what went, "
                                  "'Dry mass before wash' and 'Dry mass after wash' for the rest",
                                  in_quotes(s.label)));
+    if (s.is_percent && may_be_fines(s.label))
+      masses_.fines_percent.push_back({s.label, s.line, false, number.number});
     if (s.grams != 0 || speaks_of_mass(s.label))
       masses_.left.add(s.label);
     if (s.grams != 0 && !speaks_of_moisture_or_container(s.label))
@@ -156,10 +158,13 @@ private:
                                  "them",
                                  in_quotes(washed->label), shown(washed->mass.value),
                                  in_quotes(initial->label), shown(initial->mass.value)));
-    if (!loss && initial && washed)
+    if (!loss && initial && washed) {
       loss = with_mass(*washed, initial->mass - washed->mass);
-    else if (!loss && initial && masses_.wash_percent)
+      loss->label = initial->label + " less " + washed->label;
+    } else if (!loss && initial && masses_.wash_percent) {
       loss = with_mass(*masses_.wash_percent, percent_of(masses_.wash_percent->mass, initial->mass));
+      loss->label += " of " + initial->label;
+    }
   }
 
   const AccountRows &rows_;

@@ -22,8 +22,9 @@ struct StatedMass {
 struct StatedMasses {
   std::optional<StatedMass> initial, sieved, washed, wash_loss, sieve_loss;
   std::optional<StatedMass> wash_percent, sieve_loss_percent;
-  ShortList left;                     ///< masses that nothing is compared with ...
-  std::vector<StatedMass> uncompared; ///< ... those of them with a unit, but for moist ones and containers
+  std::vector<StatedMass> fines_percent; ///< what is said to be fine
+  ShortList left;                        ///< masses that nothing is compared with ...
+  std::vector<StatedMass> uncompared;    ///< ... those of them with a unit, but for moist ones and containers
 };
 
 /// Understands what stands beside a table.

@@ -2,6 +2,7 @@
 
 #include "gradation/account_sums.hpp"
 #include "gradation/shown.hpp"
+#include "gradation/unread_columns.hpp"
 
 #include <mdm/text/error.hpp>
 
@@ -91,6 +92,7 @@ SettledAccounts settle_accounts(SheetAccounts sheet, const Reading &reading, con
   const std::vector<StatedNumber> stated = sheet.stated;
   const OrderedAccounts accounts = in_order(std::move(sheet), AllowedLoss(reading), source, settled.notes);
   const ColumnsCompared compared = compare_columns(accounts, source, settled.notes);
+  check_unread(accounts, compared.deciding, source, settled.notes);
   const bool adds_up = check_sums(accounts, compared, source, settled.notes);
   check_words_of_splitting(accounts, stated, compared, source);
   check_rows_of_fines(accounts, compared.deciding, source);

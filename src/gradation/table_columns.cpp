@@ -155,6 +155,14 @@ bool is_unit_row(const CellRow &row, std::size_t size, std::size_t value) {
          !number_cell(row.cell(size)) && !number_cell(row.cell(value));
 }
 
+/// True for a row of units in which the two columns have nothing else: `Size (um),Grams` is a header.
+bool has_units_alone(const CellRow &row, std::size_t size, std::size_t value) {
+  const auto is_unit = [&row](std::size_t column) {
+    return row.cell(column).empty() || unit_of_words(row.cell(column)) != ColumnUnit::none;
+  };
+  return is_unit_row(row, size, value) && is_unit(size) && is_unit(value);
+}
+
 /// What the option says of a column whose words are not known, with the unit that the header has.
 HeaderMeaning with_unit_of(std::string_view header, HeaderMeaning asked) {
   if (const ColumnUnit unit = unit_in_header(header); unit != ColumnUnit::none && !is_of_sizes(unit))
@@ -301,9 +309,10 @@ HeaderMeaning meaning_of(std::string_view header, bool sizes, const std::optiona
     return {ColumnMeaning::size, unit};
   if (asked)
     return sizes ? *asked : with_unit_of(header, *asked);
-  throw InputError(fmt::format("{}: {} does not say what the column of {} holds: add {}", option("columns"),
-                               header.empty() ? "no header" : in_quotes(header), sizes ? "sizes" : "masses",
-                               remedy));
+  const std::string says =
+      header.empty() ? "no header says" : in_quotes(header) + " does not say in known words";
+  throw InputError(fmt::format("{}: {} what the column of {} holds: add {}", option("columns"), says,
+                               sizes ? "sizes" : "masses", remedy));
 }
 
 TableColumns asked_columns(const CellRow *header, std::size_t size, std::size_t value,
@@ -337,7 +346,7 @@ std::optional<TableColumns> asked_columns(const Cells &cells, std::size_t row, c
     if (!number_cell(here.cell(*second)) || here.cell(*first).empty())
       return std::nullopt;
     std::size_t above = row;
-    while (above > 0 && is_unit_row(cells.rows[above - 1], *first, *second))
+    while (above > 1 && has_units_alone(cells.rows[above - 1], *first, *second))
       --above;
     TableColumns columns =
         asked_columns(above > 0 ? &cells.rows[above - 1] : nullptr, *first, *second, reading);
@@ -369,12 +378,17 @@ void choose_kind(std::vector<Known> &values, const HeaderMeaning &asked) {
 }
 
 /// The columns by their words; with --kind, a second column of any name may hold the values.
-std::optional<TableColumns> known_columns(const CellRow &row, const Reading &reading, const Source &source) {
+/// \param below  the row below the header, which may have its units; null where there is none
+std::optional<TableColumns> known_columns(const CellRow &row, const CellRow *below, const Reading &reading,
+                                          const Source &source) {
   std::vector<Known> sizes, values;
   for (std::size_t i = 0; i < row.cells.size(); ++i)
-    if (const std::optional<HeaderMeaning> meaning = header_meaning(row.cells[i]);
-        meaning && !meaning->is_unclear)
+    if (std::optional<HeaderMeaning> meaning = header_meaning(row.cells[i]);
+        meaning && !meaning->is_unclear) {
+      if (below != nullptr && meaning->unit == ColumnUnit::none)
+        meaning->unit = unit_of_words(below->cell(i));
       (holds_sizes(*meaning) ? sizes : values).push_back({i, *meaning});
+    }
   const std::optional<HeaderMeaning> kind = asked_kind(reading);
   if (kind)
     choose_kind(values, *kind);
@@ -477,7 +491,8 @@ std::optional<TableColumns> columns_of_row(const Cells &cells, std::size_t row, 
   if (reading.columns) {
     columns = asked_columns(cells, row, reading);
   } else {
-    columns = known_columns(cells.rows[row], reading, source);
+    const CellRow *const below = row + 1 < cells.rows.size() ? &cells.rows[row + 1] : nullptr;
+    columns = known_columns(cells.rows[row], below, reading, source);
     if (columns) {
       refuse_second_sample(*columns, cells.rows[row].line, source);
       check_words_above(cells, row, *columns, source);

@@ -5,6 +5,7 @@
 #include "gradation/mass_statements.hpp"
 #include "gradation/plain_words.hpp"
 #include "gradation/row_words.hpp"
+#include "gradation/unread_columns.hpp"
 #include "gradation/weighed_sieves.hpp"
 #include "text/lines.hpp"
 #include "text/option_name.hpp"
@@ -16,6 +17,41 @@
 #include <algorithm>
 
 namespace mdm {
+namespace {
+
+/// True where two numbers differ: a constant is no gradation.
+bool have_two_values(const std::vector<std::optional<PrintedNumber>> &numbers) {
+  const auto first =
+      std::find_if(numbers.begin(), numbers.end(), [](const auto &n) { return n.has_value(); });
+  return std::any_of(first, numbers.end(),
+                     [&first](const auto &n) { return n && n->value != (*first)->value; });
+}
+
+/// The values where each row has one.
+std::optional<std::vector<Rational>>
+full(const std::optional<std::vector<std::optional<PrintedNumber>>> &numbers) {
+  if (!numbers)
+    return std::nullopt;
+  std::vector<Rational> values;
+  for (const std::optional<PrintedNumber> &number : *numbers) {
+    if (!number)
+      return std::nullopt;
+    values.push_back(number->value);
+  }
+  return values;
+}
+
+/// The unit that a header names with any of its words.
+ColumnUnit share_or_mass(std::string_view header) {
+  const std::vector<std::string> words = words_of(header);
+  for (const ColumnUnit unit : {ColumnUnit::percent, ColumnUnit::mass})
+    if (std::any_of(words.begin(), words.end(),
+                    [unit](const std::string &word) { return unit_of_words(word) == unit; }))
+      return unit;
+  return ColumnUnit::none;
+}
+
+} // namespace
 
 bool UnusedColumns::names_mass(std::string_view cell) {
   const RowMeaning meaning = row_words(cell).meaning;
@@ -77,21 +113,36 @@ void UnusedColumns::check_unit(const CellRow &row) {
   }
 }
 
-/// Its numbers beside the sieves; nothing where one is none, such as a range or a date.
-std::optional<std::vector<Rational>>
+/// Its numbers beside the sieves, none in empty cells; nothing where a cell has anything else, such as a
+/// range or a date.
+std::optional<std::vector<std::optional<PrintedNumber>>>
 UnusedColumns::numbers_in(const UnusedColumn &column, const std::vector<const CellRow *> &sieves) const {
-  std::vector<Rational> numbers;
+  std::vector<std::optional<PrintedNumber>> numbers;
   for (const CellRow *row : sieves) {
-    const std::optional<NumberCell> number = number_cell(row->cell(column.place));
-    if (!number)
+    const std::string_view cell = row->cell(column.place);
+    const std::optional<NumberCell> number = number_cell(cell);
+    if (!number && !cell.empty())
       return std::nullopt;
     try {
-      numbers.push_back(printed_number(number->digits, sign_.in(number->digits)).value);
+      numbers.push_back(number ? std::optional(printed_number(number->digits, sign_.in(number->digits)))
+                               : std::nullopt);
     } catch (const InputError &) {
       return std::nullopt;
     }
   }
   return numbers;
+}
+
+std::vector<ColumnBeside> UnusedColumns::speaking_of_mass(const std::vector<const CellRow *> &sieves) const {
+  std::vector<ColumnBeside> columns;
+  for (const UnusedColumn &column : columns_.others) {
+    std::optional<std::vector<std::optional<PrintedNumber>>> numbers = numbers_in(column, sieves);
+    if (are_chosen_ || !numbers || !may_hold_values(column.name) || !have_two_values(*numbers))
+      continue;
+    const HeaderMeaning unit{ColumnMeaning::retained, share_or_mass(column.name)};
+    columns.push_back({{column.place, column.name, unit}, column.place, std::move(*numbers)});
+  }
+  return columns;
 }
 
 void UnusedColumns::check_corrected(const Table &table, const std::vector<const CellRow *> &sieves,
@@ -110,7 +161,7 @@ void UnusedColumns::check_corrected(const Table &table, const std::vector<const 
               "the column {} may be of a part of the sample that was sieved for the whole: choose the "
               "masses of the whole with {} SIZE,VALUE, or leave it out",
               in_quotes(column.name), option("columns")));
-    const std::optional<std::vector<Rational>> numbers = numbers_in(column, sieves);
+    const std::optional<std::vector<Rational>> numbers = full(numbers_in(column, sieves));
     if (numbers && (are_retained ? are_corrected_masses(table.values, *numbers)
                                  : are_corrected_percents(table.sizes, table.values, *numbers)))
       source_.refuse(

@@ -4,7 +4,7 @@
 
 #include "gradation/table.hpp"
 #include "gradation/table_columns.hpp"
-#include "gradation/table_sign.hpp"
+#include "gradation/value_columns.hpp"
 
 #include <map>
 #include <string>
@@ -32,6 +32,10 @@ public:
   void check_corrected(const Table &table, const std::vector<const CellRow *> &sieves,
                        ColumnMeaning values) const;
 
+  /// Those that speak of the sample's mass, with a number or nothing in each row of the table's sizes, and
+  /// not one number alone.
+  std::vector<ColumnBeside> speaking_of_mass(const std::vector<const CellRow *> &sieves) const;
+
   /// True for words of a mass of the table or its sample; `wet` and `total` may be remarks.
   static bool names_mass(std::string_view cell);
 
@@ -40,8 +44,8 @@ private:
     source_.refuse(row.line, what);
   }
   void check_named(const CellRow &row, const std::string &name, std::string_view cell, bool is_alone) const;
-  std::optional<std::vector<Rational>> numbers_in(const UnusedColumn &column,
-                                                  const std::vector<const CellRow *> &sieves) const;
+  std::optional<std::vector<std::optional<PrintedNumber>>>
+  numbers_in(const UnusedColumn &column, const std::vector<const CellRow *> &sieves) const;
 
   const TableColumns &columns_;
   bool are_chosen_;

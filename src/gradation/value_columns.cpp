@@ -18,6 +18,11 @@ std::optional<NumberCell> cell_of(const ColumnBeside &column, const CellRow &row
   return column.place ? number_cell(row.cell(*column.place)) : std::nullopt;
 }
 
+bool mean_one(const FurtherColumn &a, const FurtherColumn &b) {
+  return a.meaning.meaning == b.meaning.meaning && a.meaning.unit == b.meaning.unit &&
+         a.less.has_value() == b.less.has_value();
+}
+
 } // namespace
 
 PrintedNumber ChosenColumn::read(std::string_view cell) {
@@ -71,13 +76,15 @@ ColumnsBeside::ColumnsBeside(const std::vector<FurtherColumn> &columns, const Ta
     all_.push_back({column, column.place, {}});
 }
 
+bool ColumnsBeside::have(const FurtherColumn &column) const {
+  return std::any_of(all_.begin(), all_.end(),
+                     [&column](const ColumnBeside &c) { return mean_one(c.column, column); });
+}
+
 void ColumnsBeside::go_on(const std::vector<FurtherColumn> &next) {
   for (ColumnBeside &column : all_) {
-    const HeaderMeaning &meaning = column.column.meaning;
-    const auto found = std::find_if(next.begin(), next.end(), [&meaning, &column](const FurtherColumn &c) {
-      return c.meaning.meaning == meaning.meaning && c.meaning.unit == meaning.unit &&
-             c.less.has_value() == column.column.less.has_value();
-    });
+    const auto found = std::find_if(next.begin(), next.end(),
+                                    [&column](const FurtherColumn &c) { return mean_one(column.column, c); });
     column.place = found == next.end() ? std::nullopt : std::optional(found->place);
     if (column.place)
       column.column.less = found->less;

@@ -50,6 +50,8 @@ public:
 
   const std::vector<ColumnBeside> &all() const { return all_; }
 
+  /// True where one of them is of the same meaning.
+  bool have(const FurtherColumn &column) const;
   /// Goes on below another header, with the columns that it has again.
   void go_on(const std::vector<FurtherColumn> &next);
   /// True where a row has a number in one of them.

@@ -17,13 +17,6 @@ std::string refusal_with(const std::string &content, const Reading &reading) {
   return message_of([&] { read_with(content, reading); });
 }
 
-bool has_note(const Gradation &g, const std::string &part) {
-  std::string all;
-  for (const std::string &note : g.notes())
-    all += note + "\n";
-  return contains(all, part);
-}
-
 Reading columns(const std::string &text) {
   Reading reading;
   reading.columns = text;
@@ -91,7 +84,7 @@ TEST_CASE("A column that is named needs no known header where this has a unit of
   CHECK(text(g.sizes()) == "0.5 1 2");
   CHECK(text(g.masses()) == "4 3 0");
   CHECK(contains(message_of([&] { read_with(file, columns("n,Rückstand [g]")); }),
-                 "does not say what the column of sizes"));
+                 "does not say in known words what the column of sizes"));
 }
 
 TEST_CASE("Masses that never fall towards the fines are cumulative, or confirmed by something else") {
@@ -187,7 +180,7 @@ TEST_CASE("Options that do not serve are refused") {
   CHECK(contains(refusal_with(table, columns("1")), "--columns: '1' is not two columns"));
   CHECK(contains(refusal_with(table, columns("1,1")), "names one column twice"));
   CHECK(contains(refusal_with(table, columns("1,2")),
-                 "'x' does not say what the column of masses holds: add --kind"));
+                 "'x' does not say in known words what the column of masses holds: add --kind"));
   CHECK(contains(refusal_with(table, columns("1,y")), "sand.csv:1: --columns: no header has '1,y'"));
   Reading reading;
   reading.kind = "weight";
@@ -258,10 +251,15 @@ TEST_CASE("Values with and without a unit do not go together") {
   CHECK(text(read("Size (mm),Retained\n2,0\n1,45%\n0.5,55%\n").masses()) == "55 45 0");
 }
 
-TEST_CASE("A total that the rows do not add up to is noted, or refused") {
-  CHECK(has_note(
-      read("Size (mm),Mass (g)\n2,0\n1,500.0\nTotal,501.0\n"),
-      "The rows of 'Mass (g)' add up to 500, 'Total' says 501: 0.2 percent less; the rows are used."));
+TEST_CASE("A total that the rows do not add up to is refused, unless a loss is allowed") {
+  const std::string sheet = "Size (mm),Mass (g)\n2,0\n1,500.0\nTotal,501.0\n";
+  Reading allowed;
+  allowed.loss = 1;
+  CHECK(contains(refusal(sheet), "sand.csv:4: the rows of 'Mass (g)' add up to 500, and 'Total' says 501, a "
+                                 "difference of 0.2 percent of that"));
+  CHECK(has_note(read_with(sheet, allowed),
+                 "The rows of 'Mass (g)' add up to 500, 'Total' says 501: 0.2 percent "
+                 "less; the rows are used."));
   CHECK(contains(refusal("Size (mm),Mass (g)\n2,0\n1,5.0\nTotal,6.0\n"),
                  "the rows of 'Mass (g)' add up to 5, and 'Total' says 6"));
 }
@@ -422,6 +420,26 @@ TEST_CASE("A second column of the same words is another sample, and must be chos
     CHECK(contains(refusal(sheet(headers)), "may be of two samples"));
   CHECK(text(read_with(sheet("% passing,% passing B"), columns("1,2")).masses()) == "10 40 50 0");
   CHECK(text(read(sheet("% passing,Min % passing")).masses()) == "10 40 50 0");
+}
+
+TEST_CASE("A header that ends in a unit is no row of units below another") {
+  const Reading first = columns("1,2");
+  Reading in_mm = first;
+  in_mm.kind = "mass";
+  in_mm.unit = "mm";
+  const std::string sheet = "Size (um),Grams\n8000,0\n4000,5\n";
+  CHECK(contains(refusal_with(sheet, in_mm), "the column 'Size (um)' is in um"));
+  CHECK(contains(refusal_with(sheet, first),
+                 "'Grams' does not say in known words what the column of masses holds"));
+  CHECK(contains(message_of([&] { read_with("8,0\n4,5\n", first); }),
+                 "no header says what the column of sizes holds"));
+}
+
+TEST_CASE("Units in a row of their own tell two columns of one name apart") {
+  CHECK(text(read("Siebweite;Rückstand;Rückstand\n[mm];[g];[%]\n8;0;0\n4;25;25\n2;75;75\n").masses()) ==
+        "75 25 0");
+  CHECK(contains(refusal("Siebweite;Rückstand;Rückstand\n[mm];[g];[g]\n8;0;0\n4;25;25\n2;75;75\n"),
+                 "have one meaning"));
 }
 
 } // namespace lab_table_test

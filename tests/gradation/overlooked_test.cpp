@@ -113,4 +113,75 @@ TEST_CASE("a size with a decimal comma between commas is not a size and a mass")
   CHECK(contains(refusal("Siebweite (mm),R\u00fcckstand (g),Bemerkung\n4,0,\n0,063,30\n"), "decimal commas"));
 }
 
+TEST_CASE("a column that speaks of the sample's mass agrees with the masses, or is refused") {
+  const std::string header = "Sieve (mm),Mass retained (g),";
+  for (const std::string name :
+       {"Corrected (g)", "Combined", "Cum. wt. %", "Cum %", "%", "% acumulado", "Mass x factor (g)"}) {
+    INFO(name);
+    CHECK(contains(refusal(header + name + "\n8,0.0,0.0\n4,12.2,14.3\n2,55.0,58.1\nPan,3.0,4.1\n"),
+                   "sand.csv:1: the column '" + name +
+                       "' has other masses or shares than 'Mass retained (g)'"));
+  }
+  // In one reading they agree: as cumulative ones, as what passes.
+  CHECK(masses(header + "Cum %\n8,0,0\n4,25,25\n2,50,75\nPan,25,100\n") == "25 50 25 0");
+  CHECK(masses(header + "%\n8,0,100\n4,25,75\n2,50,25\nPan,25,0\n") == "25 50 25 0");
+  CHECK(contains(refusal(header + "%\n8,0,100\n4,25,75\n2,50,35\nPan,25,0\n"), "other masses"));
+  CHECK(contains(refusal(header + "Corrected (g)\n8,0,0\n4,25,50\n2,50,100\nPan,25,50\n"), "other masses"));
+  CHECK(contains(refusal("Sieve (mm),% passing,% of total\n8,100,100\n4,80,60\n2,50,37.5\n"),
+                 "other masses or shares"));
+  // What is of no sample, what is constant, and words.
+  for (const std::string name : {"Target (%)", "Max (%)", "Moisture (%)", "Remarks"})
+    CHECK(masses(header + name + "\n8,0.0,1.0\n4,12.0,14.3\n2,55.0,58.1\n") == "55 12 0");
+  CHECK(masses(header + "Tolerance %\n8,0.0,5\n4,12.0,5\n2,55.0,5\n") == "55 12 0");
+  CHECK(masses(header + "Corrected\n8,0.0,no\n4,12.0,yes\n2,55.0,no\n") == "55 12 0");
+}
+
+TEST_CASE("a header among the rows brings no new column of masses") {
+  const std::string coarse = "Sieve (mm),Retained (g)\n16,0\n8,600\n\n";
+  for (const std::string name : {"% passing", "Wash loss (g)", "Corrected (g)", "% of total"}) {
+    INFO(name);
+    CHECK(contains(refusal(coarse + "Sieve (mm),Retained (g)," + name + "\n4,50,75\n2,50,50\nPan,40,0\n"),
+                   "sand.csv:5: a second table begins, with a column '" + name + "' that the first has not"));
+  }
+  const Gradation g = read(coarse + "Sieve (mm),Retained (g),Time\n4,50,10:30\n2,50,10:40\nPan,40,\n");
+  CHECK(text(g.masses()) == "40 50 50 600 0");
+  CHECK(has_note(g, "The rows below a second header, in line 5, were read as those of the same sample."));
+  CHECK(contains(refusal(coarse + "Sieve (mm),Retained (g),\n4,50,75\n"), "is in a column without a name"));
+}
+
+TEST_CASE("decimals behind a comma do not fall into the last column") {
+  const std::string header = "Sieb (mm),Rückstand (g),Bemerkung\n";
+  CHECK(contains(refusal(header + "8,0,0\n4,12,3\n2,55,1\nPan,3,1\n"),
+                 "'55' and '1' in the columns 'Rückstand (g)' and 'Bemerkung' may be one number"));
+  CHECK(contains(refusal(header + "8,0\n4,12,25\n2,55,1\nPan,3\n"), "decimal comma"));
+  CHECK(contains(refusal("Sieb (mm),Durchgang (%),Soll\n8,100,0\n4,97,5\n2,86,5\n"), "decimal comma"));
+  CHECK(masses(header + "8,0,\n4,12,3\n2,55,\nPan,3,\n") == "3 55 12 0");
+  CHECK(masses(header + "8,0,\n4,12.3,3\n2,55,1\nPan,3,1\n") == "3 55 12.3 0");
+  CHECK(masses("Sieve (mm),Retained (g),No.\n8,0,9\n4,12,10\n2,55,11\nPan,3,12\n") == "3 55 12 0");
+  CHECK(text(read("Phi,Weight (g),Note\n-1,0,1\n0,120.4,2\n1,180.2,3\n").masses()) == "180.2 120.4 0");
+  CHECK(contains(refusal("Sieve (mm),Retained (g),Note\n2,0,1\n0,6,20\n0,3,30\n"), "may be"));
+}
+
+TEST_CASE("fines that a sentence or a percentage speaks of are not overlooked") {
+  const std::string table = "Sieve (mm),Retained (g)\n2,0\n0.075,82.0\nPan,5.0\n";
+  for (const std::string words : {"48.0 g of fines were washed out before sieving",
+                                  "Note: 48.0 g washed through 0.075 mm are not in the table",
+                                  "Nassabtrennung der Feinanteile: 48 g", "Feinteile ausgewaschen,48.0"}) {
+    INFO(words);
+    CHECK(contains(refusal(words + "\n" + table), "sand.csv:1: "));
+    CHECK(contains(refusal(words + "\n" + table), "may be what passes the finest sieve"));
+  }
+  CHECK(contains(refusal("Fines content (%),9.6\n" + table),
+                 "'Fines content (%)' is 9.6 percent, and only 5.75 pass"));
+  CHECK(masses("Fines content (%),5.7\n" + table) == "5 82 0");
+  CHECK(masses("Clay (%),2.5\n" + table) == "5 82 0");
+  CHECK(masses("Fines content (%),9.6\nSieve (mm),Retained (g)\n2,0\n0.02,82.0\nPan,5.0\n") == "5 82 0");
+}
+
+TEST_CASE("masses of a water content are not the sample's") {
+  CHECK(masses("Water content\nContainer,Wet mass (g),Dry mass (g)\n12,34.5,30.1\n\n" + header + rows) ==
+        "130 300 0");
+  CHECK(contains(refusal("Dry mass (g)\n30.1\n\n" + header + rows), "'Dry mass (g)' says 30.1"));
+}
+
 } // namespace overlooked_test

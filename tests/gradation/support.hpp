@@ -60,4 +60,12 @@ inline bool equal(const Gradation &a, const Gradation &b) {
          factors(a) == factors(b);
 }
 
+/// True where a note of the reading has that in it.
+inline bool has_note(const Gradation &g, const std::string &part) {
+  std::string all;
+  for (const std::string &note : g.notes())
+    all += note + "\n";
+  return contains(all, part);
+}
+
 } // namespace mdm::test

@@ -10,13 +10,6 @@ namespace {
 const std::string rows = "2,0\n1,200.0\n0.5,250.0\n0.063,171.8\n";
 const std::string header = "Sieve size (mm),Mass retained (g)\n";
 
-bool has_note(const Gradation &g, const std::string &part) {
-  std::string all;
-  for (const std::string &note : g.notes())
-    all += note + "\n";
-  return contains(all, part);
-}
-
 Gradation read_with(const std::string &content, const Reading &reading) {
   return read_gradation(content, "sand.csv", reading);
 }
@@ -110,7 +103,7 @@ TEST_CASE("Cumulative masses that end below a total are not lost in silence") {
   const std::string sheet = "Size (mm),Cumulative mass retained (g)\n2,0\n1,40\n0.5,95\nTotal,120\n";
   CHECK(contains(refusal(sheet),
                  "sand.csv:5: the rows of 'Cumulative mass retained (g)' add up to 95, and 'Total' says "
-                 "120, which is 20.83 percent more: write the row 'pan' or 'Wash loss'"));
+                 "120, a difference of 20.83 percent of that: write the row 'pan' or 'Wash loss'"));
   CHECK(text(read("Size (mm),Cumulative mass retained (g)\n2,0\n1,40\n0.5,95\nPan,120\nTotal,120\n")
                  .masses()) == "25 55 40 0");
   CHECK(contains(refusal("Size (mm),Cumulative mass retained (g)\n2,0\n1,40\n0.5,95\nPan,25\n"),
@@ -174,8 +167,7 @@ TEST_CASE("Wash loss that two places say differently is refused") {
 TEST_CASE("The dry mass is compared with the sum of the rows") {
   CHECK(contains(refusal("Dry mass (g),700\n" + header + rows + "Pan,4.9\n"),
                  "sand.csv:1: the rows of 'Mass retained (g)' add up to 626.7, and 'Dry mass (g)' says 700, "
-                 "which is 10.47 "
-                 "percent more"));
+                 "a difference of 10.47 percent of that"));
   CHECK(text(read_with("Dry mass (g),700\n" + header + rows + "Pan,4.9\n", loss(11)).masses()) ==
         "4.9 171.8 250 200 0");
   CHECK(has_note(read("Dry mass (g),630.0\n" + header + rows + "Pan,4.9\n"),

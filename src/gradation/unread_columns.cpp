@@ -1,0 +1,89 @@
+#include "gradation/unread_columns.hpp"
+
+#include "gradation/limit_columns.hpp"
+#include "gradation/plain_words.hpp"
+#include "gradation/sheet_remarks.hpp"
+#include "text/option_name.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+namespace mdm {
+namespace {
+
+constexpr std::string_view of_values =
+    "mass masses masse massen weight weights wt gewicht gewichte peso pesos poids masa masas massa cum cumul "
+    "cumulative cumulated accumulated kum kumuliert cumule cumulee acumulado acumulada cumulato cumulata "
+    "retained passing finer coarser corrected adjusted combined overall net netto total totals sum summe "
+    "somme suma somma gesamt korrigiert korrigierte corrige corrigee corregido corregida corretto corretta";
+constexpr std::string_view of_others =
+    "spec specs specification specified target soll ziel design required requirement grading limit limits "
+    "min max lower upper tolerance toleranz moisture water wasser moist wet damp feucht humidity tare tara "
+    "empty leer gross brutto brut bruto lordo container tin dish bowl tray pan sieve sieves sieb siebe tamis "
+    "tamiz setaccio difference diff differenz error deviation abweichung loss verlust "
+    "previous standard typical";
+
+/// What the numbers of such a column may be.
+constexpr std::array readings = {ColumnMeaning::retained, ColumnMeaning::cumulative, ColumnMeaning::passing};
+
+/// True where the sample's mass is that of which the shares are, or is not known as it lacks the pan.
+bool is_whole(const AccountColumn &masses, const Interval &whole, const AllowedLoss &loss) {
+  const std::optional<PrintedNumber> sum = masses.whole();
+  return !sum || !masses.below || agree(*sum, whole) ||
+         loss.explains(*sum, {(whole.lo + whole.hi) / 2, (whole.hi - whole.lo) / 2});
+}
+
+/// True where numbers never fall, or never grow, from the coarsest sieve to the finest, as sums do.
+bool may_be(ColumnMeaning meaning, const AccountColumn &unread) {
+  if (meaning == ColumnMeaning::retained)
+    return true;
+  std::vector<Rational> numbers;
+  for (const std::optional<PrintedNumber> &number : unread.sieves)
+    if (number)
+      numbers.push_back(number->value);
+  if (meaning == ColumnMeaning::passing)
+    std::reverse(numbers.begin(), numbers.end());
+  return std::is_sorted(numbers.begin(), numbers.end());
+}
+
+bool agrees(const AccountColumn &values, AccountColumn unread, const AllowedLoss &loss) {
+  return std::any_of(readings.begin(), readings.end(), [&](ColumnMeaning meaning) {
+    unread.meaning.meaning = meaning;
+    const bool is_first = !values.is_share() || unread.is_share();
+    const ColumnComparison compared = is_first ? compare(values, unread) : compare(unread, values);
+    return may_be(meaning, unread) && !compared.disagreement &&
+           (!compared.whole || is_whole(is_first ? values : unread, *compared.whole, loss));
+  });
+}
+
+} // namespace
+
+bool may_hold_values(std::string_view header) {
+  const std::vector<std::string> words = words_of(header);
+  const auto is_value = [](const std::string &word) {
+    const ColumnUnit unit = unit_of_words(word);
+    return unit == ColumnUnit::percent || unit == ColumnUnit::mass || has_word(of_values, word);
+  };
+  const auto is_other = [](const std::string &word) { return has_word(of_others, word); };
+  return std::any_of(words.begin(), words.end(), is_value) &&
+         std::none_of(words.begin(), words.end(), is_other) && !is_limit(header) && !names_index(header);
+}
+
+void check_unread(const OrderedAccounts &accounts, std::size_t deciding, const Source &source,
+                  std::vector<std::string> &notes) {
+  const AccountColumn &values = accounts.columns[deciding];
+  for (const AccountColumn &unread : accounts.unread) {
+    if (agrees(values, unread, accounts.loss))
+      continue;
+    const std::string difference = fmt::format("the column {} has other masses or shares than {}",
+                                               in_quotes(unread.header), in_quotes(values.header));
+    if (!accounts.is_asked)
+      source.refuse(accounts.header_line,
+                    fmt::format("{}: choose one with {} SIZE,VALUE", difference, option("columns")));
+    notes.push_back(fmt::format("{}; {} was asked for.", difference, in_quotes(values.header)));
+  }
+}
+
+} // namespace mdm
