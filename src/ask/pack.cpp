@@ -128,6 +128,10 @@ bool PackTexts::are_discs_given() const {
          classing || min_per_class || at_least || spread;
 }
 
+bool PackTexts::are_places_given() const {
+  return width || floor || rule || order || seed || periodic || walls || positions;
+}
+
 std::string PackTexts::source() const {
   return file ? *file : sizes.value_or("-");
 }
@@ -141,6 +145,8 @@ DiscSizes PackTexts::discs(const ReadDiscs &read_file) const {
                      ": add it or leave them out");
   if (spread && !file)
     throw InputError(option("spread") + ": it is of a gradation: give its FILE");
+  if (beta && reading.is_given())
+    throw InputError(option("beta") + ": no file is read: leave out the options of reading");
   if (!spread && !beta && (min_per_class || at_least))
     throw InputError(option("min-per-class") + " and " + option("at-least") +
                      ": the file has its discs: leave them out");

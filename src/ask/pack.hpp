@@ -33,6 +33,8 @@ struct PackTexts : BetaTexts {
 
   /// True if any of the options that say where discs come from was given.
   bool are_discs_given() const;
+  /// True if any of the options that say how discs are placed was given.
+  bool are_places_given() const;
   /// The file that is read, or `-` where there is none.
   std::string source() const;
   /// The discs. \throws InputError naming the option or the file

@@ -140,6 +140,23 @@ bool solve_real(const BlendProblem &p, const Watch &watch, BlendAnswer &a) {
   return true;
 }
 
+bool keeps_all(const BlendProblem &p, const Blend &blend) {
+  const auto used =
+      std::count_if(blend.shares.begin(), blend.shares.end(), [](const Rational &s) { return s > 0; });
+  return broken_limits(p, blend).empty() && (!p.at_most || static_cast<std::size_t>(used) <= *p.at_most);
+}
+
+/// The best blend that is known where the search ended early: one that it saw, or the rounded real optimum.
+std::optional<Blend> known_blend(const BlendProblem &p, const BlendSearch &search,
+                                 const std::optional<Blend> &rounded) {
+  std::optional<Blend> known;
+  if (const std::optional<BlendSearch::Counts> seen = search.seen())
+    known = blend_of(p, shares_of(*seen, p));
+  if (rounded && keeps_all(p, *rounded) && (!known || rounded->value < known->value))
+    known = rounded;
+  return known;
+}
+
 void solve_in_steps(const BlendProblem &p, const BlendOptions &o, const Watch &watch, BlendAnswer &a) {
   BlendSearch search(p, watch, o.node_limit);
   while (a.best.size() < o.best) {
@@ -161,9 +178,11 @@ void solve_in_steps(const BlendProblem &p, const BlendOptions &o, const Watch &w
   }
   a.status = search.is_limited() ? Status::unknown : Status::none;
   a.bound = search.least_value().value_or(a.bound);
-  if (const std::optional<BlendSearch::Counts> seen = search.seen()) {
+  if (!search.is_limited())
+    return;
+  if (std::optional<Blend> known = known_blend(p, search, a.rounded)) {
     a.status = Status::feasible;
-    a.best.push_back(blend_of(p, shares_of(*seen, p)));
+    a.best.push_back(*std::move(known));
   }
 }
 

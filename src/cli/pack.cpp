@@ -63,7 +63,7 @@ int run(const PackCommand &command) {
   PackCommand c = command;
   c.asked.reading = command.reading;
   if (c.asked.gasket) {
-    if (c.asked.are_discs_given() || c.asked.width || c.asked.positions)
+    if (c.asked.are_discs_given() || c.asked.are_places_given())
       throw InputError(option("apollonian") + " has its own sizes and places: leave out those of a deposit");
     return run_apollonian(c.asked, c.output);
   }

@@ -14,8 +14,6 @@
 #include <atomic>
 
 namespace mdm::cli {
-namespace {} // namespace
-
 int run_apollonian(const PackTexts &asked, const OutputFlags &output) {
   if (!asked.smallest)
     throw InputError(option("apollonian") + ": circles without end: give the radius of the smallest by " +

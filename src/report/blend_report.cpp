@@ -226,7 +226,13 @@ std::string further_limits_table(const BlendProblem &p, const Blend &blend) {
     table.add(factor ? short_value(*factor) : "none");
     table.add(p.coarseness->most < 100 ? short_value(p.coarseness->most) : "-");
   }
-  return is_empty ? "" : "\n" + table.text();
+  const bool lacks_factor = p.coarseness && !coarseness_factor(p, blend.shares);
+  return is_empty ? ""
+                  : "\n" + table.text() +
+                        (lacks_factor
+                             ? "  nothing stays on 2.36 mm: such a blend has no factor CF, and the limits "
+                               "of CF do not exclude it\n"
+                             : "");
 }
 
 std::string bailey_text(const BaileyReport &b) {

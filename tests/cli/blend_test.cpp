@@ -215,6 +215,20 @@ TEST_CASE("a limit of the search is exit 3", "[cli]") {
   CHECK(contains(outcome.out, "the search ended before a blend"));
 }
 
+TEST_CASE("the rounded real optimum is a blend where a limit comes first and it keeps all limits", "[cli]") {
+  const Stockpiles stockpiles("4,60.2,70\n1,10,30\n");
+  const std::string blended = stockpiles.folder() / "blended.csv";
+  const Outcome outcome =
+      stockpiles.blend({"--cost", "fine=10,coarse=4", "--node-limit", "0", "--blended", blended});
+  CHECK(outcome.exit_code == 3);
+  CHECK(contains(outcome.out, "34 % fine, 66 % coarse: within "));
+  CHECK(contains(outcome.out, "the search ended before all were seen, and none has less than 6.02"));
+  CHECK(std::filesystem::exists(blended));
+  const Json none = stockpiles.json({"--cost", "fine=10,coarse=4", "--node-limit", "0"}, 3);
+  CHECK(none.at("status") == "feasible");
+  CHECK(Stockpiles().json({"--cost", "fine=10,coarse=4", "--node-limit", "0"}, 3).at("status") == "unknown");
+}
+
 TEST_CASE("what is wrong with a question of blends is refused", "[cli]") {
   const Stockpiles stockpiles;
   const auto refuses = [&stockpiles](const Arguments &options, const std::string &why) {
@@ -463,6 +477,12 @@ TEST_CASE("the coarseness factor is limited, told and proved", "[cli]") {
     all.insert(all.end(), more.begin(), more.end());
     return mdm(all);
   };
+  CHECK(
+      contains(mdm({"blend", folder.write("fine.csv", "size_mm,passing_percent\n2.36,100\n0.1,0\n"), "--spec",
+                    folder.write("wide.csv", "size_mm,passing_min_percent,passing_max_percent\n19,100,100\n"),
+                    "--limit", "CF=50..60"})
+                   .out,
+               "nothing stays on 2.36 mm: such a blend has no factor CF"));
   for (const auto &[costs, share, value] :
        {std::tuple{"a=2,b=1", "50 % a, 50 % b", "60"}, std::tuple{"a=1,b=2", "66 % a, 34 % b", "50.4477"}}) {
     const Outcome found = blend({"--limit", "CF=50..60%", "--cost", costs, "--proof", proof});

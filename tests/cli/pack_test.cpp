@@ -229,7 +229,18 @@ TEST_CASE("what pack cannot do is refused with what to do") {
   check_refused({"--apollonian", "1,2,3", "--smallest", "0.1"}, "four curvatures");
   check_refused({"--apollonian", "equal", "--smallest", "0"}, "--smallest");
   check_refused({"--apollonian", "equal", "--smallest", "1e-13"}, "10^12");
-  check_refused({"--apollonian", "equal", "--smallest", "0.1", "--width", "5"}, "its own sizes");
+  for (const Arguments &of_deposit : {Arguments{"--width", "5"},
+                                      {"--seed", "5"},
+                                      {"--walls"},
+                                      {"--periodic"},
+                                      {"--rule", "drop"},
+                                      {"--floor", "left"},
+                                      {"--order", "given"}}) {
+    Arguments asked{"--apollonian", "equal", "--smallest", "0.1"};
+    asked.insert(asked.end(), of_deposit.begin(), of_deposit.end());
+    check_refused(asked, "its own sizes");
+  }
+  check_refused({"--beta", "1,1", "--span", "0.5", "--unit", "um"}, "options of reading");
 }
 
 TEST_CASE("sizes that are no sizes of discs are refused with their file") {
