@@ -1,6 +1,7 @@
 #include "gradation/lab_rows.hpp"
 
 #include "gradation/cell_numbers.hpp"
+#include "gradation/decimal_commas.hpp"
 #include "gradation/plain_words.hpp"
 #include "gradation/row_sizes.hpp"
 #include "gradation/sheet_remarks.hpp"
@@ -88,13 +89,6 @@ bool begins_with_sieve(std::string_view cell) {
          (is_digit(cell.front()) || cell.front() == '#' || plain_words(cell).starts_with("no "));
 }
 
-/// True where a number of the row has a decimal point, so that no comma between cells is a decimal sign.
-bool has_point(const CellRow &row) {
-  return std::any_of(row.cells.begin(), row.cells.end(), [](const std::string &cell) {
-    return number_cell(cell) && cell.find('.') != std::string::npos;
-  });
-}
-
 /// The row's first cell that has something in it.
 std::string_view first_cell(const CellRow &row) {
   return *std::find_if(row.cells.begin(), row.cells.end(), [](const std::string &c) { return !c.empty(); });
@@ -129,8 +123,6 @@ bool belongs_to_table(RowMeaning meaning) {
          meaning == RowMeaning::total || meaning == RowMeaning::sieve_loss;
 }
 
-constexpr std::string_view comma_remedy = "put ; between cells where numbers have decimal commas";
-
 /// A pass over the rows below the header.
 class RowPass {
 public:
@@ -155,8 +147,9 @@ public:
                                  in_quotes(columns_.size_name), in_quotes(columns_.value_name),
                                  column_options()));
     check_samples();
-    check_last_column();
     columns_.others = common_others_;
+    if (cells_.delimiter == ',' && !reading_.columns)
+      check_last_column(sieves_, columns_, source_);
     unused_.check_corrected(read_.table, sieves_,
                             chosen_.meaning().meaning); // ranges have no row of their top yet
     sizes_.settle(read_.table, chosen_.meaning().meaning == ColumnMeaning::retained, source_);
@@ -583,7 +576,8 @@ private:
     check_width();
     unused_.check_sieve(row(), read_.table.sizes.size(), beside_.all().empty());
     unused_.check_unit(row());
-    check_decimal_commas();
+    if (cells_.delimiter == ',')
+      check_commas(row(), columns_, source_);
     in_line([&] {
       table.sizes.push_back(sizes_.next(row()));
       const PrintedNumber value = chosen_.read(value_cell());
@@ -621,57 +615,6 @@ private:
                            in_quotes(cell), in_quotes(first_cell(row()))));
       is_label = is_label && cell.empty() && size_cell().empty();
     }
-  }
-
-  /// `0,063,30`, `0,6,20`: a size with a decimal comma is cut in two.
-  void check_decimal_commas() const {
-    if (cells_.delimiter != ',')
-      return;
-    const std::string_view value = value_cell();
-    if (size_cell() == "0" && has_unused_number() && !has_point(row()))
-      refuse(fmt::format("0 and {} may be a size with a decimal comma: {}", in_quotes(value), comma_remedy));
-    if (value.size() > 1 && value.front() == '0' && is_digit(value[1]))
-      refuse(fmt::format("{} begins with 0, as behind a decimal comma: {}", in_quotes(value), comma_remedy));
-  }
-
-  /// `Sieb (mm),Rueckstand (g),Bemerkung` above `4,12,3`: the last column may have the decimals of the
-  /// masses.
-  void check_last_column() const {
-    const auto last =
-        std::find_if(common_others_.begin(), common_others_.end(), [this](const UnusedColumn &c) {
-          return c.place == columns_.value + 1 && c.place + 1 == columns_.width;
-        });
-    if (cells_.delimiter != ',' || reading_.columns || last == common_others_.end() ||
-        std::any_of(sieves_.begin(), sieves_.end(), [](const CellRow *row) { return has_point(*row); }))
-      return;
-    constexpr std::size_t longest = 3;
-    const bool is_remark = heads_remarks(last->name);
-    std::vector<const CellRow *> cut;
-    for (const CellRow *sieve : sieves_) {
-      const std::string_view cell = sieve->cell(last->place);
-      if (cell.empty())
-        continue;
-      const bool is_like_others =
-          is_remark || cut.empty() || cell.size() == cut.back()->cell(last->place).size();
-      if (!is_like_others || cell.size() > longest || !std::all_of(cell.begin(), cell.end(), is_digit))
-        return;
-      cut.push_back(sieve);
-    }
-    const auto masses = std::count_if(read_.table.values.begin(), read_.table.values.end(),
-                                      [](const Rational &value) { return value != 0; });
-    if (cut.size() >= 2 && 2 * std::ssize(cut) >= masses)
-      source_.refuse(cut.back()->line,
-                     fmt::format("{} and {} in the columns {} and {} may be one number with a decimal comma: "
-                                 "{}, or choose the columns with {} SIZE,VALUE",
-                                 in_quotes(cut.back()->cell(columns_.value)),
-                                 in_quotes(cut.back()->cell(last->place)), in_quotes(columns_.value_name),
-                                 in_quotes(last->name), comma_remedy, option("columns")));
-  }
-
-  bool has_unused_number() const {
-    return std::any_of(columns_.others.begin(), columns_.others.end(), [this](const UnusedColumn &column) {
-      return number_cell(row().cell(column.place)).has_value();
-    });
   }
 
   const Cells &cells_;

@@ -1,8 +1,6 @@
 #include "gradation/unread_columns.hpp"
 
-#include "gradation/limit_columns.hpp"
 #include "gradation/plain_words.hpp"
-#include "gradation/sheet_remarks.hpp"
 #include "text/option_name.hpp"
 
 #include <fmt/core.h>
@@ -18,12 +16,13 @@ constexpr std::string_view of_values =
     "cumulative cumulated accumulated kum kumuliert cumule cumulee acumulado acumulada cumulato cumulata "
     "retained passing finer coarser corrected adjusted combined overall net netto total totals sum summe "
     "somme suma somma gesamt korrigiert korrigierte corrige corrigee corregido corregida corretto corretta";
-constexpr std::string_view of_others =
-    "spec specs specification specified target soll ziel design required requirement grading limit limits "
-    "min max lower upper tolerance toleranz moisture water wasser moist wet damp feucht humidity tare tara "
-    "empty leer gross brutto brut bruto lordo container tin dish bowl tray pan sieve sieves sieb siebe tamis "
-    "tamiz setaccio difference diff differenz error deviation abweichung loss verlust "
-    "previous standard typical";
+/// Words beside these that leave a column one of the sample's masses; any other may be of a target, a tare,
+/// an assay or the moisture.
+constexpr std::string_view beside_values =
+    "of the a an x by in on to per and all whole each sample material dry soil value values final new calc "
+    "calculated computed result results factor part percentage anteil probe von der des und de del du la le "
+    "y "
+    "et";
 
 /// What the numbers of such a column may be.
 constexpr std::array readings = {ColumnMeaning::retained, ColumnMeaning::cumulative, ColumnMeaning::passing};
@@ -66,9 +65,10 @@ bool may_hold_values(std::string_view header) {
     const ColumnUnit unit = unit_of_words(word);
     return unit == ColumnUnit::percent || unit == ColumnUnit::mass || has_word(of_values, word);
   };
-  const auto is_other = [](const std::string &word) { return has_word(of_others, word); };
   return std::any_of(words.begin(), words.end(), is_value) &&
-         std::none_of(words.begin(), words.end(), is_other) && !is_limit(header) && !names_index(header);
+         std::all_of(words.begin(), words.end(), [&is_value](const std::string &word) {
+           return is_value(word) || has_word(beside_values, word);
+         });
 }
 
 void check_unread(const OrderedAccounts &accounts, std::size_t deciding, const Source &source,

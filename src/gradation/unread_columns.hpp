@@ -6,8 +6,8 @@
 
 namespace mdm {
 
-/// True for a header that speaks of masses or shares of the sample, by its unit or by a word such as
-/// `corrected` or `cum.`; not of limits, empty sieves, moisture and the like.
+/// True for a header that speaks of masses or shares of the sample alone, by its unit or by a word such as
+/// `corrected` or `cum.`; not for one of limits, empty sieves, an assay or the moisture.
 bool may_hold_values(std::string_view header);
 
 /// Refuses a column whose numbers are not those of the deciding column in any reading: as what each sieve
