@@ -84,6 +84,16 @@ std::optional<std::size_t> size_header(const CellRow &row) {
   return words > 1 ? size : std::nullopt;
 }
 
+/// `Refus (g)` of old sheets is cumulative, of newer ones not.
+void refuse_unclear_column(const CellRow &header, const Source &source) {
+  for (const std::string &cell : header.cells)
+    if (const std::optional<HeaderMeaning> meaning = header_meaning(cell); meaning && meaning->is_unclear)
+      source.refuse(header.line,
+                    fmt::format("{} may be what each sieve retains, or what all coarser ones retain "
+                                "too: say {} retained or {} cumulative",
+                                in_quotes(cell), option("kind"), option("kind")));
+}
+
 /// A table above the one that is read must not be passed over.
 void refuse_table_above(const Cells &cells, const TableColumns &columns, const Source &source) {
   for (std::size_t i = 0; i < columns.above; ++i)
@@ -114,10 +124,12 @@ void refuse_table(const Cells &cells, const Reading &reading, const Source &sour
                                 "what they retain: add one with the difference",
                                 in_quotes(row.cells[sieves->full]), in_quotes(row.cells[sieves->empty])));
   for (const CellRow &row : cells.rows)
-    if (const std::optional<std::size_t> size = size_header(row))
+    if (const std::optional<std::size_t> size = size_header(row)) {
+      refuse_unclear_column(row, source);
       source.refuse(row.line,
                     fmt::format("beside {} no column is known to hold what is retained or passes: {}{}",
                                 in_quotes(row.cells[*size]), column_options(), cells.hint));
+    }
   source.refuse(line, fmt::format("{}; the file begins {}: {}{}",
                                   unknown_size_column(first, "size_mm,passing_percent"), beginning_of(cells),
                                   column_options(), cells.hint));

@@ -381,15 +381,15 @@ void choose_kind(std::vector<Known> &values, const HeaderMeaning &asked) {
 /// \param below  the row below the header, which may have its units; null where there is none
 std::optional<TableColumns> known_columns(const CellRow &row, const CellRow *below, const Reading &reading,
                                           const Source &source) {
+  const std::optional<HeaderMeaning> kind = asked_kind(reading);
   std::vector<Known> sizes, values;
   for (std::size_t i = 0; i < row.cells.size(); ++i)
     if (std::optional<HeaderMeaning> meaning = header_meaning(row.cells[i]);
-        meaning && !meaning->is_unclear) {
+        meaning && (!meaning->is_unclear || kind)) {
       if (below != nullptr && meaning->unit == ColumnUnit::none)
         meaning->unit = unit_of_words(below->cell(i));
       (holds_sizes(*meaning) ? sizes : values).push_back({i, *meaning});
     }
-  const std::optional<HeaderMeaning> kind = asked_kind(reading);
   if (kind)
     choose_kind(values, *kind);
   if (kind && values.empty() && sizes.size() == 1 && row.cells.size() == 2) {

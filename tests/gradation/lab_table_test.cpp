@@ -442,4 +442,18 @@ TEST_CASE("Units in a row of their own tell two columns of one name apart") {
                  "have one meaning"));
 }
 
+TEST_CASE("A column that may be cumulative or not is refused until the user says which") {
+  const std::string sheet = "Tamis (mm);Refus (g);Notes\n8;0;\n4;12,3;\n2;55,1;\n";
+  CHECK(contains(refusal(sheet),
+                 "sand.csv:1: 'Refus (g)' may be what each sieve retains, or what all coarser ones "
+                 "retain too: say --kind retained or --kind cumulative"));
+  Reading reading;
+  reading.kind = "retained";
+  CHECK(text(read_with(sheet, reading).masses()) == "55.1 12.3 0");
+  reading.kind = "cumulative";
+  CHECK(text(read_with(sheet, reading).masses()) == "42.8 12.3 0");
+  reading.kind = "passing";
+  CHECK(contains(refusal_with(sheet, reading), "--kind passing"));
+}
+
 } // namespace lab_table_test
