@@ -2,6 +2,7 @@
 
 #include "gradation/cell_numbers.hpp"
 #include "gradation/sheet_remarks.hpp"
+#include "gradation/unread_columns.hpp"
 #include "text/lines.hpp"
 #include "text/option_name.hpp"
 
@@ -72,7 +73,7 @@ void check_last_column(const std::vector<const CellRow *> &sieves, const TableCo
                        const Source &source) {
   const auto last =
       std::find_if(columns.others.begin(), columns.others.end(), [&columns](const UnusedColumn &c) {
-        return c.place == columns.value + 1 && c.place + 1 == columns.width;
+        return c.place == columns.value + 1 && c.place + 1 == columns.width && !may_hold_values(c.name);
       });
   if (last == columns.others.end() ||
       std::any_of(sieves.begin(), sieves.end(), [](const CellRow *row) { return has_point(*row); }))

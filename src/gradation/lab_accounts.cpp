@@ -63,10 +63,10 @@ std::vector<AccountRow> account_rows(const LabRows &rows) {
                    {},
                    table.lines[i],
                    {PrintedNumber{table.values[i], table.roundings[i]}}};
-    for (const ColumnBeside &beside : rows.beside)
-      row.numbers.push_back(i < beside.numbers.size() ? beside.numbers[i] : std::nullopt);
-    for (const ColumnBeside &unread : rows.unread)
-      row.numbers.push_back(unread.numbers[i]);
+    for (const std::vector<ColumnBeside> *columns :
+         {&rows.beside, &rows.unread}) // the top of ranges has no row
+      for (const ColumnBeside &column : *columns)
+        row.numbers.push_back(i < column.numbers.size() ? column.numbers[i] : std::nullopt);
     all.push_back(std::move(row));
   }
   all.insert(all.end(), rows.accounts.begin(), rows.accounts.end());

@@ -5,6 +5,7 @@
 #include "gradation/plain_words.hpp"
 #include "gradation/row_sizes.hpp"
 #include "gradation/sheet_remarks.hpp"
+#include "gradation/stated_numbers.hpp"
 #include "gradation/unread_columns.hpp"
 #include "gradation/unused_columns.hpp"
 #include "gradation/weighed_sieves.hpp"
@@ -17,7 +18,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 
 namespace mdm {
@@ -28,50 +28,6 @@ std::size_t header_line(const Cells &cells, const TableColumns &columns) {
     return 1;
   const std::size_t row = columns.first_row == 0 ? 0 : columns.first_row - 1;
   return cells.rows[std::min(row, cells.rows.size() - 1)].line;
-}
-
-/// The row without the cells of the table's columns.
-CellRow beside_columns(CellRow row, const TableColumns &columns) {
-  std::vector<std::size_t> known{columns.size, columns.value};
-  for (const std::vector<FurtherColumn> *list : {&columns.further, &columns.names})
-    for (const FurtherColumn &column : *list)
-      known.push_back(column.place);
-  for (const std::size_t place : known)
-    if (place < row.cells.size())
-      row.cells[place].clear();
-  return row;
-}
-
-/// Units below labels go to them: `Dry mass,Wash loss` above `(g),(g)`. Nothing where the row below has none.
-std::optional<CellRow> with_units_below(const CellRow &row, const CellRow &below) {
-  CellRow labels = row;
-  bool has_units = false;
-  for (std::size_t i = 0; i < below.cells.size(); ++i) {
-    const std::string &unit = below.cells[i];
-    if (unit.empty())
-      continue;
-    if (unit_of_words(unit) == ColumnUnit::none || row.cell(i).empty())
-      return std::nullopt;
-    labels.cells[i] += " " + unit;
-    has_units = true;
-  }
-  return has_units ? std::optional(std::move(labels)) : std::nullopt;
-}
-
-/// Above the table, and beside its header and its units.
-std::vector<MassStatement> statements_above(const Cells &cells, const TableColumns &columns) {
-  std::vector<MassStatement> statements;
-  for (std::size_t i = 0; i < columns.above; ++i) {
-    const CellRow *const next = i + 1 < columns.above ? &cells.rows[i + 1] : nullptr;
-    const std::optional<CellRow> labels = next ? with_units_below(cells.rows[i], *next) : std::nullopt;
-    if (labels && i + 2 < columns.above)
-      add_statements(*labels, &cells.rows[i + 2], statements);
-    else
-      add_statements(cells.rows[i], next, statements);
-  }
-  for (std::size_t i = columns.above; i < columns.first_row; ++i)
-    add_statements(beside_columns(cells.rows[i], columns), nullptr, statements);
-  return statements;
 }
 
 TableSign sign_of(const Cells &cells, const TableColumns &columns,
@@ -109,11 +65,10 @@ bool names_sample(std::string_view cell) {
   return names_samples(words.substr(0, words.find(' ')));
 }
 
-/// True for words that may be about what passes the finest sieve, and are not known.
-bool may_pass_finest(const MassStatement &s) {
-  return s.meaning == RowMeaning::none &&
-         (s.is_sentence || (speaks_of_washing(s.label) && !names_washed_part(s.label)) ||
-          may_be_fines(s.label));
+/// `Page 2`, where a long table goes on.
+bool names_page(std::string_view cell) {
+  const std::string words = plain_words(cell);
+  return has_word("page seite pagina hoja folio", words.substr(0, words.find(' ')));
 }
 
 /// True for what has a row in the table; other masses stand beside it.
@@ -146,14 +101,16 @@ public:
                      fmt::format("there is no row with a size and a number below {} and {}: {}",
                                  in_quotes(columns_.size_name), in_quotes(columns_.value_name),
                                  column_options()));
-    check_samples();
     columns_.others = common_others_;
+    unused_.check_samples(sieves_, chosen_.meaning().meaning);
     if (cells_.delimiter == ',' && !reading_.columns)
       check_last_column(sieves_, columns_, source_);
     unused_.check_corrected(read_.table, sieves_,
                             chosen_.meaning().meaning); // ranges have no row of their top yet
     sizes_.settle(read_.table, chosen_.meaning().meaning == ColumnMeaning::retained, source_);
-    take_stated();
+    read_.stated = stated_numbers(statements_, sign_, read_.table.header_line, read_.left, source_);
+    for (const StatedNumber &number : read_.stated)
+      check_washing_sieve(number.statement);
     read_.beside = beside_.all();
     read_.unread = unused_.speaking_of_mass(sieves_);
     columns_.values = chosen_.meaning();
@@ -254,11 +211,15 @@ private:
         std::any_of(words_below_.begin(), words_below_.end(), [](const std::string &words) {
           return speaks_of_sample(words) || speaks_of_splitting(words) || speaks_of_part(words);
         });
-    if (!words_below_.empty() && (are_retained || are_of_others))
+    const std::string words = words_among_ != nullptr && !names_page(first_cell(*words_among_))
+                                  ? std::string(first_cell(*words_among_))
+                              : words_below_.empty() ? ""
+                                                     : words_below_.back();
+    if (!words.empty() && (are_retained || are_of_others))
       refuse(fmt::format(
           "a second table begins below {}: it may be of another sample, or of a part of the first, which "
           "mdm convert {} joins: leave one of them out, or the words between them",
-          in_quotes(words_below_.back()), option("split", OptionSpelling::program)));
+          in_quotes(words), option("split", OptionSpelling::program)));
   }
 
   /// A column of masses that the first header has not could be compared with a part of the table alone.
@@ -332,8 +293,11 @@ private:
         statements_.size() > before && has_number_beside())
       refuse(fmt::format("the row {} has no value in the column {}: write it, or 0",
                          in_quotes(first_cell(row())), in_quotes(columns_.value_name)));
-    if (below_gap_ && known.meaning == RowMeaning::passing)
+    if (known.meaning == RowMeaning::passing && below_gap_)
       words_below_.emplace_back(first_cell(row()));
+    else if (known.meaning == RowMeaning::passing && statements_.size() == before &&
+             !read_.table.sizes.empty())
+      words_among_ = &row();
     if (statements_.size() == before || known.meaning == RowMeaning::moist_mass)
       leave();
     return true;
@@ -363,6 +327,7 @@ private:
     check_words_among();
     check_width();
     unused_.check_unit(row());
+    unused_.check_account(row(), sieves_);
     check_words_beside();
     check_mass_unit();
     AccountRow account{known.meaning, 0, false, std::string(first_cell(row())), row().line, {}};
@@ -513,52 +478,6 @@ private:
               "{} is of a sieve that is coarser than the finest one: write it into the row of the sieve "
               "below which it belongs",
               in_quotes(s.label)));
-  }
-
-  /// Numbers beside words that say nothing of masses may be dates.
-  void take_stated() {
-    for (const MassStatement &s : statements_) {
-      const bool may_pass = may_pass_finest(s);
-      const bool is_washed_fines = speaks_of_washing(s.label) && may_be_fines(s.label) && !s.is_percent;
-      if (may_pass && (s.grams != 0 || s.is_sentence || is_washed_fines))
-        source_.refuse(s.line, fmt::format("{} may be what passes the finest sieve: write Wash loss, or a "
-                                           "row Pan, if it is, else leave it out",
-                                           in_quotes(s.label)));
-      if (s.meaning == RowMeaning::none && s.grams != 0 && speaks_of_retaining(s.label))
-        source_.refuse(s.line, fmt::format("{} is a mass on a sieve, outside the table: write it as a row of "
-                                           "the table, or leave it out",
-                                           in_quotes(s.label)));
-      if (may_pass && !s.is_percent && s.line < read_.table.header_line)
-        read_.left.add(s.label);
-      try {
-        read_.stated.push_back({s, printed_number(s.digits, sign_.in(s.digits))});
-      } catch (const InputError &error) {
-        if (s.meaning != RowMeaning::none || speaks_of_washing(s.label))
-          source_.refuse(s.line, fmt::format("{}: {}", in_quotes(s.label), error.what()));
-        continue;
-      }
-      check_washing_sieve(s);
-    }
-  }
-
-  /// Rows of several samples, one below the other, are no stack of sieves.
-  void check_samples() const {
-    for (const UnusedColumn &column : common_others_) {
-      const bool may_be_parts = chosen_.meaning().meaning == ColumnMeaning::retained &&
-                                has_word("test part portion stage", plain_words(column.name));
-      if (!names_samples(column.name) && !may_be_parts)
-        continue;
-      std::map<std::string, std::size_t> rows;
-      for (const CellRow *sieve : sieves_)
-        ++rows[std::string(sieve->cell(column.place))];
-      if (rows.size() < 2 || rows.size() == sieves_.size())
-        continue;
-      source_.refuse(
-          sieves_.front()->line,
-          fmt::format("the column {} names several samples or parts, {} and {}: give each a file of its own",
-                      in_quotes(column.name), in_quotes(rows.begin()->first),
-                      in_quotes(std::next(rows.begin())->first)));
-    }
   }
 
   // ---- sieves

@@ -269,6 +269,8 @@ private:
   bool heads_water_content() const {
     bool has_moist = false, has_dry = false, has_container = false;
     for (const std::string &cell : row_.cells) {
+      if (speaks_of_washing(cell) || may_be_fines(cell))
+        return false;
       const RowMeaning meaning = row_words(cell).meaning;
       has_moist |= meaning == RowMeaning::moist_mass;
       has_dry |= meaning == RowMeaning::initial_mass;

@@ -67,7 +67,8 @@ constexpr std::string_view container =
 constexpr std::string_view moist =
     "moist wet damp feucht feuchte feuchtmasse nass humide humeda humedo umida umido bulk";
 constexpr std::string_view splitting =
-    "split splits splitting aliquot aliquots aliquota aliquote quarter quarters tenth subsample subsamples "
+    "multiplied multiply multipliziert split splits splitting aliquot aliquots aliquota aliquote quarter "
+    "quarters tenth subsample subsamples "
     "subsampled riffle riffled riffling riffler quartered "
     "quartering "
     "reduced reduction geviertelt viertelung teilprobe teilproben probenteilung probeteilung geteilt "

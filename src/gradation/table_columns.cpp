@@ -5,6 +5,7 @@
 #include "gradation/mass_statements.hpp"
 #include "gradation/plain_words.hpp"
 #include "gradation/row_words.hpp"
+#include "gradation/unread_columns.hpp"
 #include "gradation/weighed_sieves.hpp"
 #include "text/lines.hpp"
 #include "text/nearest_name.hpp"
@@ -436,11 +437,22 @@ std::vector<std::string> common_words(std::string_view header) {
   return words;
 }
 
+/// `Cum. Mass (g)`: compared with the values in every reading.
+bool names_sums(std::string_view header) {
+  const std::vector<std::string> words = words_of(header);
+  return std::any_of(words.begin(), words.end(), [](const std::string &word) {
+    return has_word(
+        "cum cumul cumulative cumulated accumulated kum kumuliert cumule cumulee acumulado acumulada "
+        "cumulato cumulata",
+        word);
+  });
+}
+
 /// Refuses a second column of the same values, such as those of another sample; limits and tares are none.
 void refuse_second_sample(const TableColumns &columns, std::size_t line, const Source &source) {
   const auto is_second = [&columns](const std::string &other) {
     return (has_words_of(other, columns.values) && row_words(other).meaning != RowMeaning::container &&
-            !is_limit(other)) ||
+            !is_limit(other) && !(may_hold_values(other) && names_sums(other))) ||
            (!other.empty() && common_words(other) == common_words(columns.value_name));
   };
   for (const auto &[place, other] : columns.others)

@@ -14,7 +14,9 @@ namespace {
 constexpr std::string_view of_values =
     "mass masses masse massen weight weights wt gewicht gewichte peso pesos poids masa masas massa cum cumul "
     "cumulative cumulated accumulated kum kumuliert cumule cumulee acumulado acumulada cumulato cumulata "
-    "retained passing finer coarser corrected adjusted combined overall net netto total totals sum summe "
+    "retained passing finer coarser corr adj norm recalc korr normalized normalised recalculated weighted "
+    "washed "
+    "corrected adjusted combined overall net netto total totals sum summe "
     "somme suma somma gesamt korrigiert korrigierte corrige corrigee corregido corregida corretto corretta";
 /// Words beside these that leave a column one of the sample's masses; any other may be of a target, a tare,
 /// an assay or the moisture.

@@ -41,6 +41,16 @@ full(const std::optional<std::vector<std::optional<PrintedNumber>>> &numbers) {
   return values;
 }
 
+/// True for a factor of each row, or its water content.
+bool changes_masses(std::string_view header) {
+  constexpr std::string_view changing =
+      "factor faktor facteur fattore multiplier scale ratio teilung x moisture water wasser wassergehalt "
+      "feuchte eau agua humedad acqua umidita";
+  const std::vector<std::string> words = words_of(header);
+  return std::any_of(words.begin(), words.end(),
+                     [changing](const std::string &word) { return has_word(changing, word); });
+}
+
 /// The unit that a header names with any of its words.
 ColumnUnit share_or_mass(std::string_view header) {
   const std::vector<std::string> words = words_of(header);
@@ -96,6 +106,24 @@ void UnusedColumns::check_named(const CellRow &row, const std::string &name, std
                     in_quotes(columns_.value_name), in_quotes(name)));
 }
 
+void UnusedColumns::check_account(const CellRow &row, const std::vector<const CellRow *> &sieves) const {
+  if (are_chosen_)
+    return;
+  for (const auto &[place, name] : columns_.others) {
+    const auto has_number = [column = place](const CellRow *r) {
+      return number_cell(r->cell(column)).has_value();
+    };
+    const RowMeaning meaning = row_words(name).meaning;
+    const bool is_of_fines = meaning == RowMeaning::wash_loss || meaning == RowMeaning::pan_and_wash ||
+                             speaks_of_washing(name) || may_be_fines(name);
+    const bool is_mass =
+        unit_in_header(name) == ColumnUnit::mass && std::none_of(sieves.begin(), sieves.end(), has_number);
+    if (!name.empty() && has_number(&row) && (is_of_fines || is_mass))
+      refuse(row, fmt::format("{} in the column {} is not read: write it in a row of the table",
+                              in_quotes(row.cell(place)), in_quotes(name)));
+  }
+}
+
 void UnusedColumns::check_unit(const CellRow &row) {
   if (are_chosen_)
     return;
@@ -145,6 +173,12 @@ std::vector<ColumnBeside> UnusedColumns::speaking_of_mass(const std::vector<cons
   return columns;
 }
 
+bool UnusedColumns::has_two_numbers(const UnusedColumn &column,
+                                    const std::vector<const CellRow *> &sieves) const {
+  const std::optional<std::vector<std::optional<PrintedNumber>>> numbers = numbers_in(column, sieves);
+  return numbers && have_two_values(*numbers);
+}
+
 void UnusedColumns::check_corrected(const Table &table, const std::vector<const CellRow *> &sieves,
                                     ColumnMeaning values) const {
   if (are_chosen_)
@@ -161,6 +195,14 @@ void UnusedColumns::check_corrected(const Table &table, const std::vector<const 
               "the column {} may be of a part of the sample that was sieved for the whole: choose the "
               "masses of the whole with {} SIZE,VALUE, or leave it out",
               in_quotes(column.name), option("columns")));
+    if (may_hold_values(column.name))
+      continue; // compared in every reading
+    if (are_retained && changes_masses(column.name) && has_two_numbers(column, sieves))
+      source_.refuse(
+          table.header_line,
+          fmt::format("the column {} may change what is in {}, and differs from row to row: give the dry "
+                      "masses of the whole sample, or choose the columns with {} SIZE,VALUE",
+                      in_quotes(column.name), in_quotes(columns_.value_name), option("columns")));
     const std::optional<std::vector<Rational>> numbers = full(numbers_in(column, sieves));
     if (numbers && (are_retained ? are_corrected_masses(table.values, *numbers)
                                  : are_corrected_percents(table.sizes, table.values, *numbers)))
@@ -170,6 +212,25 @@ void UnusedColumns::check_corrected(const Table &table, const std::vector<const 
               "the column {} has the numbers of {} in some rows, and others in the rest: choose one with "
               "{} SIZE,VALUE",
               in_quotes(column.name), in_quotes(columns_.value_name), option("columns")));
+  }
+}
+
+void UnusedColumns::check_samples(const std::vector<const CellRow *> &sieves, ColumnMeaning values) const {
+  for (const UnusedColumn &column : columns_.others) {
+    const bool may_be_parts =
+        values == ColumnMeaning::retained && has_word("test part portion stage", plain_words(column.name));
+    if (!names_samples(column.name) && !may_be_parts)
+      continue;
+    std::map<std::string, std::size_t> rows;
+    for (const CellRow *sieve : sieves)
+      ++rows[std::string(sieve->cell(column.place))];
+    if (rows.size() < 2 || rows.size() == sieves.size())
+      continue;
+    source_.refuse(
+        sieves.front()->line,
+        fmt::format("the column {} names several samples or parts, {} and {}: give each a file of its own",
+                    in_quotes(column.name), in_quotes(rows.begin()->first),
+                    in_quotes(std::next(rows.begin())->first)));
   }
 }
 

@@ -25,6 +25,8 @@ public:
   /// it.
   /// \param rows  read so far; \param is_alone  no other column of masses is read
   void check_sieve(const CellRow &row, std::size_t rows, bool is_alone) const;
+  /// What stands beside the pan, or a sum, in a column of what was washed out, or in no row of a sieve.
+  void check_account(const CellRow &row, const std::vector<const CellRow *> &sieves) const;
   /// Units beside the masses must be one.
   void check_unit(const CellRow &row);
   /// A column that has the values in some rows and others in the rest has those of the whole, or of a part.
@@ -32,6 +34,8 @@ public:
   void check_corrected(const Table &table, const std::vector<const CellRow *> &sieves,
                        ColumnMeaning values) const;
 
+  /// Rows of several samples, one below the other, are no stack of sieves.
+  void check_samples(const std::vector<const CellRow *> &sieves, ColumnMeaning values) const;
   /// Those that speak of the sample's mass, with a number or nothing in each row of the table's sizes, and
   /// not one number alone.
   std::vector<ColumnBeside> speaking_of_mass(const std::vector<const CellRow *> &sieves) const;
@@ -44,6 +48,7 @@ private:
     source_.refuse(row.line, what);
   }
   void check_named(const CellRow &row, const std::string &name, std::string_view cell, bool is_alone) const;
+  bool has_two_numbers(const UnusedColumn &column, const std::vector<const CellRow *> &sieves) const;
   std::optional<std::vector<std::optional<PrintedNumber>>>
   numbers_in(const UnusedColumn &column, const std::vector<const CellRow *> &sieves) const;
 

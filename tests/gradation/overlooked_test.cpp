@@ -130,7 +130,7 @@ TEST_CASE("a column that speaks of the sample's mass agrees with the masses, or 
   CHECK(contains(refusal("Sieve (mm),% passing,% of total\n8,100,100\n4,80,60\n2,50,37.5\n"),
                  "other masses or shares"));
   // What is of no sample, what is constant, and words.
-  for (const std::string name : {"Target (%)", "Max (%)", "Moisture (%)", "Remarks"})
+  for (const std::string name : {"Target (%)", "Max (%)", "Ash (%)", "Remarks"})
     CHECK(masses(header + name + "\n8,0.0,1.0\n4,12.0,14.3\n2,55.0,58.1\n") == "55 12 0");
   CHECK(masses(header + "Tolerance %\n8,0.0,5\n4,12.0,5\n2,55.0,5\n") == "55 12 0");
   CHECK(masses(header + "Corrected\n8,0.0,no\n4,12.0,yes\n2,55.0,no\n") == "55 12 0");
@@ -182,6 +182,56 @@ TEST_CASE("masses of a water content are not the sample's") {
   CHECK(masses("Water content\nContainer,Wet mass (g),Dry mass (g)\n12,34.5,30.1\n\n" + header + rows) ==
         "130 300 0");
   CHECK(contains(refusal("Dry mass (g)\n30.1\n\n" + header + rows), "'Dry mass (g)' says 30.1"));
+}
+
+TEST_CASE("a number beside the pan, in a column of what was washed out, is not overlooked") {
+  const std::string sieves = "8,0,\n4,17,\nPan,25,48\n";
+  for (const std::string name :
+       {"Wash loss (g)", "Washed fines (g)", "Fines (g)", "Waschverlust (g)", "Additional (g)"}) {
+    INFO(name);
+    CHECK(contains(refusal("Sieve (mm),Retained (g)," + name + "\n" + sieves),
+                   "sand.csv:4: '48' in the column"));
+  }
+  CHECK(masses("Sieve (mm),Retained (g),Tin\n" + sieves) == "25 17 0");
+}
+
+TEST_CASE("a heading between two tables without an empty line is one of another part") {
+  const std::string coarse = "Sieve (mm),Retained (g)\n8,0\n4,200\n2,400\n", fine = "1,43\n0.5,29\nPan,7\n";
+  for (const std::string words :
+       {"Fine sieving", "Second stage", "Feinsiebung (100 g)", "Sieving of the minus 2 mm"}) {
+    INFO(words);
+    CHECK(contains(refusal(coarse + words + "\nSieve (mm),Retained (g)\n" + fine), "begins below '" + words));
+    CHECK(contains(refusal(coarse + words + "\n" + fine), "sand.csv:5: '" + words));
+  }
+  CHECK(masses(coarse + "Page 2\nSieve (mm),Retained (g)\n" + fine) == "7 29 43 400 200 0");
+}
+
+TEST_CASE("a factor or a water content of each row is not overlooked") {
+  const std::string header = "Sieve (mm),Retained (g),";
+  for (const std::string name : {"Factor", "Multiplier", "x", "Moisture (%)", "Faktor"}) {
+    INFO(name);
+    CHECK(contains(refusal(header + name + "\n8,0,1\n4,20,1\n2,7.5,4\n"), "differs from row to row"));
+    CHECK(masses(header + name + "\n8,0,1\n4,20,1\n2,7.5,1\n") == "7.5 20 0");
+  }
+  CHECK(contains(refusal("Masses below 1 mm to be multiplied by 4\n" + header + "Note\n8,0,\n4,20,\n"),
+                 "sand.csv:1: "));
+}
+
+TEST_CASE("shares of some 100 g have numbers of the masses, and agree") {
+  CHECK(masses("Sieve (mm),Retained (g),%\n8,0.0,0.0\n4,7.1,7.1\n2,18.0,17.9\n1,75.2,75.0\n") ==
+        "75.2 18 7.1 0");
+  CHECK(masses("Sieve (mm),Retained (g),Cum. wt. %\n8,0,0\n4,20,10\n2,40,30\n1,60,60\n0.5,80,100\n") ==
+        "80 60 40 20 0");
+  CHECK(masses("Sieve (mm),Mass Retained (g),Cum. Mass (g)\n8,0,0\n4,20,20\n2,40,60\n") == "40 20 0");
+  CHECK(contains(refusal("Sieve (mm),Mass Retained (g),Cum. Mass (g)\n8,0,0\n4,20,20\n2,40,70\n"),
+                 "other masses"));
+  CHECK(contains(refusal("Sieve (mm),Passing (%),Corr. (%)\n8,100,100\n4,80,90\n2,50,70\n"), "other masses"));
+  CHECK(masses("Size (mm),Retained (g),Corrected (g)\n2-4,10,10\n1-2,20,20\n") == "20 10 0");
+}
+
+TEST_CASE("a table of water content with what was washed out is the sample's") {
+  const std::string table = "Sieve (mm),Retained (g)\n4,0\n2,225\nPan,25\n";
+  CHECK(masses("Container,Wet mass (g),Dry mass (g),Wash loss (g)\nA1,330,300,50\n\n" + table) == "75 225 0");
 }
 
 } // namespace overlooked_test
