@@ -140,19 +140,14 @@ bool solve_real(const BlendProblem &p, const Watch &watch, BlendAnswer &a) {
   return true;
 }
 
-bool keeps_all(const BlendProblem &p, const Blend &blend) {
-  const auto used =
-      std::count_if(blend.shares.begin(), blend.shares.end(), [](const Rational &s) { return s > 0; });
-  return broken_limits(p, blend).empty() && (!p.at_most || static_cast<std::size_t>(used) <= *p.at_most);
-}
-
 /// The best blend that is known where the search ended early: one that it saw, or the rounded real optimum.
 std::optional<Blend> known_blend(const BlendProblem &p, const BlendSearch &search,
                                  const std::optional<Blend> &rounded) {
   std::optional<Blend> known;
   if (const std::optional<BlendSearch::Counts> seen = search.seen())
     known = blend_of(p, shares_of(*seen, p));
-  if (rounded && keeps_all(p, *rounded) && (!known || rounded->value < known->value))
+  if (rounded && broken_limits(p, *rounded).empty() && keeps_at_most(p, *rounded) &&
+      (!known || rounded->value < known->value))
     known = rounded;
   return known;
 }
@@ -224,6 +219,12 @@ std::vector<BlendLimit> broken_limits(const BlendProblem &problem, const Blend &
       broken.push_back(limit);
   }
   return broken;
+}
+
+bool keeps_at_most(const BlendProblem &problem, const Blend &blend) {
+  const auto used =
+      std::count_if(blend.shares.begin(), blend.shares.end(), [](const Rational &s) { return s > 0; });
+  return !problem.at_most || static_cast<std::size_t>(used) <= *problem.at_most;
 }
 
 BlendAnswer solve_blend(const BlendProblem &problem, const BlendOptions &options) {

@@ -14,6 +14,7 @@
 #include <atomic>
 
 namespace mdm::cli {
+
 int run_apollonian(const PackTexts &asked, const OutputFlags &output) {
   if (!asked.smallest)
     throw InputError(option("apollonian") + ": circles without end: give the radius of the smallest by " +

@@ -207,8 +207,7 @@ bool holds_sizes(const HeaderMeaning &meaning) {
 }
 
 bool names_kilograms(std::string_view text) {
-  const std::vector<std::string> words = words_of(text);
-  return std::any_of(words.begin(), words.end(), [](const std::string &w) { return has_word(kilograms, w); });
+  return has_any_word(kilograms, words_of(text));
 }
 
 } // namespace mdm

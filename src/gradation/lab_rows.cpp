@@ -59,16 +59,19 @@ bool has_number(const CellRow &row) {
                      [](const std::string &cell) { return number_cell(cell).has_value(); });
 }
 
+std::string first_word(std::string_view cell) {
+  const std::string words = plain_words(cell);
+  return words.substr(0, words.find(' '));
+}
+
 /// `Sample B`, `BH 2`.
 bool names_sample(std::string_view cell) {
-  const std::string words = plain_words(cell);
-  return names_samples(words.substr(0, words.find(' ')));
+  return names_samples(first_word(cell));
 }
 
 /// `Page 2`, where a long table goes on.
 bool names_page(std::string_view cell) {
-  const std::string words = plain_words(cell);
-  return has_word("page seite pagina hoja folio", words.substr(0, words.find(' ')));
+  return has_word("page seite pagina hoja folio", first_word(cell));
 }
 
 /// True for what has a row in the table; other masses stand beside it.

@@ -10,10 +10,7 @@ namespace mdm {
 
 bool speaks_of_number_shares(std::string_view text) {
   const std::vector<std::string> words = words_of(text);
-  const auto have = [&words](std::string_view list) {
-    return std::any_of(words.begin(), words.end(),
-                       [list](const std::string &w) { return has_word(list, w); });
-  };
+  const auto have = [&words](std::string_view list) { return has_any_word(list, words); };
   return have("number anzahl nombre numero") &&
          have("distribution distributions distribucion distribuzione weighted weighting basis base "
               "anzahlverteilung verteilung");

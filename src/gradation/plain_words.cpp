@@ -63,4 +63,9 @@ bool has_word(std::string_view list, std::string_view word) {
   return false;
 }
 
+bool has_any_word(std::string_view list, const std::vector<std::string> &words) {
+  return std::any_of(words.begin(), words.end(),
+                     [list](const std::string &word) { return has_word(list, word); });
+}
+
 } // namespace mdm

@@ -21,4 +21,7 @@ std::string plain_words(std::string_view text);
 /// True where `word` is one of `list`, which has spaces between its words.
 bool has_word(std::string_view list, std::string_view word);
 
+/// True where one of the words is one of `list`.
+bool has_any_word(std::string_view list, const std::vector<std::string> &words);
+
 } // namespace mdm

@@ -47,21 +47,16 @@ bool is_numbered(std::string_view cell) {
          words.find("mesh") != std::string::npos;
 }
 
-bool has_one_of(std::string_view list, const std::vector<std::string> &words) {
-  return std::any_of(words.begin(), words.end(),
-                     [list](const std::string &word) { return has_word(list, word); });
-}
-
 /// True for a header that speaks of sieves whose numbers are others than those of ASTM.
 bool names_other_series(std::string_view header) {
-  return has_one_of("bs british is indian nf afnor tyler din", words_of(header));
+  return has_any_word("bs british is indian nf afnor tyler din", words_of(header));
 }
 
 /// The same of a line above the table: `Tyler standard screen scale`.
 bool tells_other_series(std::string_view line) {
   const std::vector<std::string> words = words_of(line);
-  return has_one_of("bs british indian nf afnor tyler din", words) &&
-         has_one_of("sieve sieves mesh screen screens scale series tamis", words);
+  return has_any_word("bs british indian nf afnor tyler din", words) &&
+         has_any_word("sieve sieves mesh screen screens scale series tamis", words);
 }
 
 /// Sieves whose order breaks as where mm become um without a word.

@@ -95,9 +95,7 @@ class Words {
 public:
   explicit Words(std::string_view text) : all_(words_of(text)) {}
   bool empty() const { return all_.empty(); }
-  bool have(std::string_view list) const {
-    return std::any_of(all_.begin(), all_.end(), [list](const std::string &w) { return has_word(list, w); });
-  }
+  bool have(std::string_view list) const { return has_any_word(list, all_); }
   /// True where each word is known or has a digit.
   bool are_known() const {
     return std::all_of(all_.begin(), all_.end(), [](const std::string &word) {

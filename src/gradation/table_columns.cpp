@@ -439,13 +439,10 @@ std::vector<std::string> common_words(std::string_view header) {
 
 /// `Cum. Mass (g)`: compared with the values in every reading.
 bool names_sums(std::string_view header) {
-  const std::vector<std::string> words = words_of(header);
-  return std::any_of(words.begin(), words.end(), [](const std::string &word) {
-    return has_word(
-        "cum cumul cumulative cumulated accumulated kum kumuliert cumule cumulee acumulado acumulada "
-        "cumulato cumulata",
-        word);
-  });
+  return has_any_word(
+      "cum cumul cumulative cumulated accumulated kum kumuliert cumule cumulee acumulado acumulada "
+      "cumulato cumulata",
+      words_of(header));
 }
 
 /// Refuses a second column of the same values, such as those of another sample; limits and tares are none.

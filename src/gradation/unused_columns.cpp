@@ -43,12 +43,9 @@ full(const std::optional<std::vector<std::optional<PrintedNumber>>> &numbers) {
 
 /// True for a factor of each row, or its water content.
 bool changes_masses(std::string_view header) {
-  constexpr std::string_view changing =
-      "factor faktor facteur fattore multiplier scale ratio teilung x moisture water wasser wassergehalt "
-      "feuchte eau agua humedad acqua umidita";
-  const std::vector<std::string> words = words_of(header);
-  return std::any_of(words.begin(), words.end(),
-                     [changing](const std::string &word) { return has_word(changing, word); });
+  return has_any_word("factor faktor facteur fattore multiplier scale ratio teilung x moisture water wasser "
+                      "wassergehalt feuchte eau agua humedad acqua umidita",
+                      words_of(header));
 }
 
 /// The unit that a header names with any of its words.
@@ -93,13 +90,17 @@ void UnusedColumns::check_sieve(const CellRow &row, std::size_t rows, bool is_al
   }
 }
 
+void UnusedColumns::refuse_number(const CellRow &row, const std::string &name, std::string_view cell) const {
+  refuse(row, fmt::format("{} in the column {} is not read: write it in a row of the table", in_quotes(cell),
+                          in_quotes(name)));
+}
+
 /// \param cell  a number in a column of that name
 void UnusedColumns::check_named(const CellRow &row, const std::string &name, std::string_view cell,
                                 bool is_alone) const {
   const RowMeaning meaning = row_words(name).meaning;
   if (meaning == RowMeaning::pan || meaning == RowMeaning::wash_loss || meaning == RowMeaning::pan_and_wash)
-    refuse(row, fmt::format("{} in the column {} is not read: write it in a row of the table",
-                            in_quotes(cell), in_quotes(name)));
+    refuse_number(row, name, cell);
   if (names_empty_sieves(name) && names_mass_alone(columns_.value_name) && is_alone)
     refuse(row, fmt::format(
                     "{} may be with what is in {}, which is weighed too: give a column of what is retained",
@@ -119,8 +120,7 @@ void UnusedColumns::check_account(const CellRow &row, const std::vector<const Ce
     const bool is_mass =
         unit_in_header(name) == ColumnUnit::mass && std::none_of(sieves.begin(), sieves.end(), has_number);
     if (!name.empty() && has_number(&row) && (is_of_fines || is_mass))
-      refuse(row, fmt::format("{} in the column {} is not read: write it in a row of the table",
-                              in_quotes(row.cell(place)), in_quotes(name)));
+      refuse_number(row, name, row.cell(place));
   }
 }
 

@@ -47,6 +47,7 @@ private:
   [[noreturn]] void refuse(const CellRow &row, const std::string &what) const {
     source_.refuse(row.line, what);
   }
+  [[noreturn]] void refuse_number(const CellRow &row, const std::string &name, std::string_view cell) const;
   void check_named(const CellRow &row, const std::string &name, std::string_view cell, bool is_alone) const;
   bool has_two_numbers(const UnusedColumn &column, const std::vector<const CellRow *> &sieves) const;
   std::optional<std::vector<std::optional<PrintedNumber>>>

@@ -34,22 +34,17 @@ bool are_all_in(const std::vector<std::string> &words, std::initializer_list<std
   });
 }
 
-bool is_any_in(const std::vector<std::string> &words, std::string_view list) {
-  return std::any_of(words.begin(), words.end(),
-                     [list](const std::string &word) { return has_word(list, word); });
-}
-
 bool is_of_full_sieves(std::string_view header) {
   const std::vector<std::string> all = words(header);
-  const bool joins = is_any_in(all, with) || header.find('&') != std::string_view::npos;
-  return joins && is_any_in(all, sieve) && is_any_in(all, content) &&
+  const bool joins = has_any_word(with, all) || header.find('&') != std::string_view::npos;
+  return joins && has_any_word(sieve, all) && has_any_word(content, all) &&
          are_all_in(all, {mass, sieve, with, content, link});
 }
 
 bool is_of_empty_sieves(std::string_view header) {
   const std::vector<std::string> all = words(header);
-  const bool says_mass = is_any_in(all, mass) || unit_in_header(header) == ColumnUnit::mass;
-  return (is_any_in(all, empty) || (says_mass && is_any_in(all, sieve))) &&
+  const bool says_mass = has_any_word(mass, all) || unit_in_header(header) == ColumnUnit::mass;
+  return (has_any_word(empty, all) || (says_mass && has_any_word(sieve, all))) &&
          are_all_in(all, {mass, sieve, empty, link});
 }
 

@@ -264,9 +264,7 @@ std::vector<std::string> broken_in_words(const BlendProblem &p, const Blend &ble
   std::vector<std::string> words;
   for (const BlendLimit &limit : broken_limits(p, blend))
     words.push_back(in_words(limit, p));
-  const auto used =
-      std::count_if(blend.shares.begin(), blend.shares.end(), [](const Rational &s) { return s > 0; });
-  if (p.at_most && static_cast<std::size_t>(used) > *p.at_most)
+  if (!keeps_at_most(p, blend))
     words.push_back(fmt::format("at most {} stockpile{}", *p.at_most, *p.at_most == 1 ? "" : "s"));
   return words;
 }

@@ -22,6 +22,9 @@ Blend blend_of(const BlendProblem &problem, const std::vector<Rational> &shares)
 /// The limits of sieves and shares that a blend does not keep, in the order of limits_of.
 std::vector<BlendLimit> broken_limits(const BlendProblem &problem, const Blend &blend);
 
+/// True where no more stockpiles have a share than the problem allows.
+bool keeps_at_most(const BlendProblem &problem, const Blend &blend);
+
 /// A multiple of a condition; of (shares sum to 1) of either sign.
 struct BlendMultiple {
   BlendLimit limit;
