@@ -194,6 +194,9 @@ void AnswerReader::add_class(AnswerSample &sample, const Json &from, std::size_t
   if (c.mass <= 0)
     refuse(place + "mass", "is not above 0, but there are particles: give the JSON answer of mdm solve");
   std::tie(c.size_lo, c.size_hi) = enclosure(member(from, "size", place), place + "size");
+  if (compare(RootSize{c.size_hi}, c.lower) <= 0 || compare(RootSize{c.size_lo}, c.upper) > 0)
+    refuse(place + "size",
+           "is not in the class, above lower and up to upper: give the JSON answer of mdm solve");
   if (from.contains("sizes")) {
     const Json &sizes = from["sizes"];
     if (!sizes.is_array() || sizes.empty())
@@ -310,12 +313,17 @@ StatedParticles AnswerReader::particles() const {
       return {};
     if (classes[j].contains("material"))
       refuse(place + "material", several_materials);
-    stated.classes.push_back({natural(classes[j], "quantity", place), std::nullopt});
+    stated.classes.push_back({natural(classes[j], "quantity", place), {}, {}});
+    if (classes[j].contains("lower") && classes[j].contains("upper"))
+      stated.classes.back().bounds = {decimal(classes[j], "lower", place),
+                                      decimal(classes[j], "upper", place)};
     const Json &size = member(classes[j], "size", place);
     if (!size.is_null())
       stated.classes.back().size = enclosure(size, place + "size");
   }
   stated.unit = unit();
+  if (answer_.contains("particles") && !answer_.at("particles").is_null())
+    stated.particles = natural(answer_, "particles", "");
   return stated;
 }
 

@@ -16,9 +16,12 @@ struct StatedParticles {
   struct Class {
     Integer quantity;
     std::optional<std::pair<Rational, Rational>> size; ///< lo and hi; nothing where there is none
+    /// Of its openings, as decimals; nothing where it does not say them.
+    std::optional<std::pair<Rational, Rational>> bounds;
   };
   std::vector<Class> classes; ///< all of the answer's, empty ones included; none where it has no match
   SizeUnit unit = SizeUnit::mm;
+  std::optional<Integer> particles; ///< that it says it has
 };
 
 /// Reads the members of an mdm-answer-1. All throw an InputError that begins with the key.

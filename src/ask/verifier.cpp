@@ -106,7 +106,11 @@ Verifier::Verifier(Gradation g, const std::string &source, VerifyQuestion asked,
                                                         proof->begin, &sizes_)
                        : std::nullopt),
       placed_(gradation_, sizes(), are_places_asked() ? std::nullopt : std::optional(most_unasked_places),
-              [this](const std::optional<ParticleBox> &box) { return asked_.places.space(box, unit()); }) {}
+              [this](const std::optional<ParticleBox> &box) { return asked_.places.space(box, unit()); }) {
+  const std::optional<Envelope> &band = asked_.question.band;
+  if (const std::optional<std::string> why = band ? contradiction(*band) : std::nullopt)
+    note({"The band contradicts itself: " + *why + "."});
+}
 
 void Verifier::end(const ReadParticles &read) {
   read_unit_ = read.unit;

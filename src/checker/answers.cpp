@@ -188,13 +188,20 @@ std::vector<std::string> csv_row(const Input &line) {
   return fields;
 }
 
-AnswerClass csv_class(const Input &line) {
+/// Takes a row; rows without a quantity are of an answer without particles.
+void take_csv_class(const Input &line, Answer &answer) {
   const std::vector<std::string> fields = csv_row(line);
+  const bool has_none = fields[5].empty();
+  demand_form(answer.classes.empty() || has_none == answer.has_no_particles, line.text,
+              "has a quantity where other rows of its answer have none, or none where they have one",
+              line.text);
+  answer.has_no_particles = has_none;
   const auto optional = [&](std::size_t i) {
     return fields[i].empty() ? std::nullopt : std::optional(rational(fields[i], line.text));
   };
-  return {rational(fields[2], line.text), rational(fields[3], line.text),
-          fields[5].empty() ? mpz_class(0) : integer(fields[5], line.text), optional(6), optional(7)};
+  answer.classes.push_back({rational(fields[2], line.text), rational(fields[3], line.text),
+                            has_none ? mpz_class(0) : integer(fields[5], line.text), optional(6),
+                            optional(7)});
 }
 
 /// The options of a certificate that are no tolerances, in the words of an answer.
@@ -303,6 +310,8 @@ std::string difference_of_classes(const Answer &answer, const Gradation &gradati
     const std::string name = "class " + std::to_string(j + 1) + " has ";
     if ((gradation.root == 1 || answer.has_powers) && (of.lower != x[j] || of.upper != x[j + 1]))
       return name + "other openings";
+    if (answer.has_no_particles)
+      continue;
     const bool has_particles = witness != c.classes.end() && witness->index == j + 1;
     if (of.quantity != (has_particles ? witness->quantity : mpz_class(0)))
       return name + of.quantity.get_str() + " particles";
@@ -344,7 +353,7 @@ SharedAnswer Answers::next() {
     answer->id = csv_row(*line)[0];
     answer->unit = unit_;
     do
-      answer->classes.push_back(csv_class(*line));
+      take_csv_class(*line, *answer);
     while ((line = next_line()) && csv_row(*line)[1] != "1");
     row_ = std::move(line);
     return answer;

@@ -34,6 +34,7 @@ struct Answer {
   std::string id;    ///< of CSV alone, whose rows are of the lines that have one
   std::string unit;  ///< of lengths; empty: it is not said
   std::vector<AnswerClass> classes;
+  bool has_no_particles = false; ///< of CSV alone: its quantities are empty
   bool has_powers =
       false; ///< openings are to the power of the root; without, and with a root, they are rounded
   std::optional<AnswerQuestion> question;

@@ -175,8 +175,14 @@ int run(const BatchCommand &c) {
   check_files(c);
   if (c.shard)
     return run_shard(c);
-  if (c.has_proof_folder())
+  if (c.has_proof_folder()) {
     make_folder(*c.proofs);
+    if (has_file(*c.proofs, ".proof"))
+      c.output.tell_notes(
+          {fmt::format("{} has proofs of another run; those that this one does not write again "
+                       "stay.",
+                       shown_name(*c.proofs))});
+  }
   const BatchSolver solver(c);
   BatchSources sources(c.files, c.reading.reading(), c.reading.given(), c.has_proof_stream());
   Output out(c.output.path());

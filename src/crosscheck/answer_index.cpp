@@ -28,7 +28,7 @@ AnswerIndex::AnswerIndex(std::vector<OtherAnswer> answers, std::optional<std::st
   for (std::size_t i = 0; i < answers_.size(); ++i) {
     const OtherAnswer &answer = answers_[i];
     asked_.push_back(asked_digest(answer));
-    (answer.id.empty() ? without_id_ : by_id_[answer.id].answers).push_back(i);
+    (answer.has_id ? by_id_[answer.id].answers : without_id_).push_back(i);
     if (answer.failure != AnswerVerdict::garbage && place(setting_of(answer)) == settings_.size())
       settings_.push_back(setting_of(answer));
   }

@@ -12,8 +12,8 @@ namespace mdm {
 namespace {
 
 /// The places of the columns.
-constexpr std::size_t at_id = 0, at_class = 1, at_quantity = 5, at_size_lo = 6, at_size_hi = 7,
-                      batch_columns = 8;
+constexpr std::size_t at_id = 0, at_class = 1, at_lower = 2, at_upper = 3, at_quantity = 5, at_size_lo = 6,
+                      at_size_hi = 7, batch_columns = 8;
 
 /// The unit of the header; nothing of another line. The share may be that of the match.
 std::optional<SizeUnit> unit_of_header(std::string_view line) {
@@ -36,6 +36,7 @@ void add_class(OtherAnswer &answer, const std::vector<std::string> &fields) {
   if (!q)
     throw InputError(in_quotes(fields[at_quantity]) + " is no quantity");
   answer.quantities.push_back(*q);
+  answer.classes.emplace_back(std::pair(parse_decimal(fields[at_lower]), parse_decimal(fields[at_upper])));
   answer.sizes.emplace_back();
   if (!fields[at_size_lo].empty())
     answer.sizes.back() = {parse_decimal(fields[at_size_lo]), parse_decimal(fields[at_size_hi])};
@@ -52,6 +53,7 @@ std::vector<OtherAnswer> read_batch_rows(std::string_view content, const std::st
   std::vector<OtherAnswer> answers;
   std::optional<SizeUnit> unit;
   std::vector<std::string> fields;
+  std::size_t classes = 0; // of the last answer
   Lines lines(without_byte_order_mark(content));
   while (lines.next()) {
     const std::string_view line = trimmed(lines.text());
@@ -67,10 +69,13 @@ std::vector<OtherAnswer> read_batch_rows(std::string_view content, const std::st
       if (fields[at_class] == "1") {
         answers.emplace_back();
         answers.back().id = fields[at_id];
+        answers.back().has_id = true;
+        classes = 0;
         answers.back().unit_mm = in_mm(*unit);
       }
-      if (answers.empty() || answers.back().id != fields[at_id])
-        throw InputError("class 1 of this answer is missing");
+      if (answers.empty() || answers.back().id != fields[at_id] ||
+          fields[at_class] != std::to_string(++classes))
+        throw InputError("the classes of an answer are not in order from 1 on");
       add_class(answers.back(), fields);
     } catch (const InputError &error) {
       source.refuse(lines.number(), std::string(error.what()) + ": give what mdm batch wrote");

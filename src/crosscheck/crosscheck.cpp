@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 
 namespace mdm {
 namespace {
@@ -34,6 +35,23 @@ std::vector<std::optional<StatedSize>> in_unit_of(const Gradation &g, const Othe
     if (x)
       *x = {x->lo * factor, x->hi * factor};
   return sizes;
+}
+
+/// The first class of the answer that g does not have there, in words; or nothing. `index` is that of the
+/// class of each quantity.
+std::string other_class(const Gradation &g, const OtherAnswer &answer,
+                        const std::vector<std::size_t> &index) {
+  const Rational factor = answer.unit_mm / in_mm(g.unit());
+  for (std::size_t entry = 0; entry < answer.classes.size(); ++entry) {
+    if (!answer.classes[entry])
+      continue;
+    const auto &[lower, upper] = *answer.classes[entry];
+    const std::size_t j = index[entry];
+    if (!g.opening(j).is_named_by(lower * factor) || !g.opening(j + 1).is_named_by(upper * factor))
+      return fmt::format("class {} of the answer is ({}, {}], and that of the gradation ({}, {}]", entry + 1,
+                         shown(lower), shown(upper), shown(g.opening(j)), shown(g.opening(j + 1)));
+  }
+  return {};
 }
 
 } // namespace
@@ -58,6 +76,7 @@ private:
     CountsJudge judge;
     KnownMinimum known;
   };
+  CrosscheckRow judge_plain(const OtherAnswer &answer, const Rational &size_tolerance) const;
   CrosscheckRow judge_asked(const OtherAnswer &answer, const Rational &size_tolerance) const;
   std::string spread_over_classes(const OtherAnswer &answer, std::vector<Integer> &q,
                                   std::vector<std::optional<StatedSize>> &sizes) const;
@@ -131,8 +150,15 @@ std::string Crosscheck::State::take(const OtherAnswer &answer, Particles &partic
     return fmt::format("there are {} sizes for {} quantities: write - for the size of a 0",
                        answer.sizes.size(), n);
   const std::vector<std::optional<StatedSize>> sizes = in_unit_of(g_, answer);
+  std::vector<std::size_t> index = with_mass_;
+  if (all) {
+    index.resize(n);
+    std::iota(index.begin(), index.end(), std::size_t{0});
+  }
+  if (std::string wrong = other_class(g_, answer, index); !wrong.empty())
+    return wrong;
   for (std::size_t entry = 0; entry < n; ++entry) {
-    const std::size_t j = all ? entry : with_mass_[entry];
+    const std::size_t j = index[entry];
     const Integer &q = answer.quantities[entry];
     if (g_.mass(j) == 0) {
       if (q != 0)
@@ -228,8 +254,19 @@ std::optional<Rational> Crosscheck::State::max_error(const OtherAnswer &answer) 
 
 CrosscheckRow Crosscheck::State::judge(const OtherAnswer &answer, const Rational &size_tolerance) const {
   assert(size_tolerance >= 0 && size_tolerance < 1);
-  if (asked_)
-    return judge_asked(answer, size_tolerance);
+  CrosscheckRow row = asked_ ? judge_asked(answer, size_tolerance) : judge_plain(answer, size_tolerance);
+  if (answer.contradiction.empty())
+    return row;
+  if (row.verdict == AnswerVerdict::minimal) { // of quantities that the answer itself denies
+    row.verdict = AnswerVerdict::not_a_match;
+    row.ratio.reset();
+  }
+  row.reason += (row.reason.empty() ? "" : "; ") + answer.contradiction;
+  return row;
+}
+
+CrosscheckRow Crosscheck::State::judge_plain(const OtherAnswer &answer,
+                                             const Rational &size_tolerance) const {
   CrosscheckRow row;
   row.id = g_.id();
   const Integer known = total(least_.q);
@@ -295,21 +332,23 @@ CrosscheckRow Crosscheck::State::judge_asked(const OtherAnswer &answer,
 std::string Crosscheck::State::spread_over_classes(const OtherAnswer &answer, std::vector<Integer> &q,
                                                    std::vector<std::optional<StatedSize>> &sizes) const {
   const std::size_t n = answer.quantities.size();
-  std::vector<std::size_t> with_mass;
-  for (std::size_t j = 0; j < g_.classes(); ++j)
-    if (g_.mass(j) != 0)
-      with_mass.push_back(j);
   const bool is_all = n == g_.classes();
-  if (!is_all && n != with_mass.size())
+  std::vector<std::size_t> index;
+  for (std::size_t j = 0; j < g_.classes(); ++j)
+    if (is_all || g_.mass(j) != 0)
+      index.push_back(j);
+  if (n != index.size())
     return fmt::format("there are {} quantities: one for each of the {} classes is right", n, g_.classes());
   if (!answer.sizes.empty() && answer.sizes.size() != n)
     return fmt::format("there are {} sizes for {} quantities: write - for the size of a 0",
                        answer.sizes.size(), n);
+  if (std::string wrong = other_class(g_, answer, index); !wrong.empty())
+    return wrong;
   q.assign(g_.classes(), 0);
   sizes.assign(g_.classes(), std::nullopt);
   const std::vector<std::optional<StatedSize>> stated = in_unit_of(g_, answer);
   for (std::size_t entry = 0; entry < n; ++entry) {
-    const std::size_t j = is_all ? entry : with_mass[entry];
+    const std::size_t j = index[entry];
     q[j] = answer.quantities[entry];
     if (!stated.empty())
       sizes[j] = stated[entry];

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace mdm {
 namespace {
@@ -85,8 +86,24 @@ void take_classes(const Json &object, OtherAnswer &answer) {
   for (StatedParticles::Class &c : stated.classes) {
     answer.quantities.push_back(std::move(c.quantity));
     answer.sizes.push_back(c.size ? std::optional(StatedSize{c.size->first, c.size->second}) : std::nullopt);
+    answer.classes.push_back(c.bounds);
   }
   answer.unit_mm = in_mm(stated.unit);
+}
+
+/// What an answer says of itself beside its quantities is held against them.
+void check_agrees(const Json &object, OtherAnswer &answer) {
+  const Integer all = std::accumulate(answer.quantities.begin(), answer.quantities.end(), Integer(0));
+  const std::string stated = text_or_empty(object, "particles");
+  if (!stated.empty() && quantity(stated) != all)
+    answer.contradiction =
+        fmt::format("the answer says that it has {} particles, and its quantities are {} together", stated,
+                    to_string(all));
+  const std::string status = text_or_empty(object, "status");
+  const std::optional<AnswerVerdict> named = answer_verdict_named(status);
+  if (status == "none" || named == AnswerVerdict::infeasible || named == AnswerVerdict::no_answer)
+    throw InputError(
+        fmt::format("the answer has the status {} and quantities: leave one of them out", in_quotes(status)));
 }
 
 /// The particles of the simple form.
@@ -156,6 +173,7 @@ void for_each_word(std::string_view text, Use use) {
 /// `answer` without particles; its id and labels stay.
 OtherAnswer failed_with(OtherAnswer answer, AnswerVerdict failure, std::string reason) {
   OtherAnswer failed = failed_answer(std::move(answer.id), failure, std::move(reason));
+  failed.has_id = answer.has_id;
   failed.labels = std::move(answer.labels);
   return failed;
 }
@@ -190,8 +208,10 @@ public:
     std::vector<std::string> fields;
     if (!split_fields(line, ',', fields))
       throw InputError("a quoted field does not end with a quote before the next comma");
-    if (fields.size() > id_)
+    if (fields.size() > id_) {
       answer.id = fields[id_];
+      answer.has_id = !answer.id.empty();
+    }
     if (fields.size() != header_.size())
       throw InputError(
           fmt::format("the row has {} fields, the header has {}", fields.size(), header_.size()));
@@ -229,6 +249,7 @@ private:
 OtherAnswer failed_answer(std::string id, AnswerVerdict failure, std::string reason) {
   OtherAnswer answer;
   answer.id = std::move(id);
+  answer.has_id = !answer.id.empty();
   answer.failure = failure;
   answer.reason = std::move(reason);
   return answer;
@@ -241,6 +262,7 @@ OtherAnswer json_answer(std::string_view text) {
     if (!object.is_object())
       throw InputError("the answer is no JSON object");
     answer.id = text_or_empty(object, "id");
+    answer.has_id = object.contains("id") && object.at("id").is_string();
     take_labels(object, answer);
     if (has_member(object, "classes"))
       take_classes(object, answer);
@@ -248,10 +270,14 @@ OtherAnswer json_answer(std::string_view text) {
       take_particles(object, answer);
     if (answer.quantities.empty())
       take_failure(object, answer);
+    else
+      check_agrees(object, answer);
     return answer;
   } catch (const InputError &e) {
-    if (answer.id.empty())
-      answer.id = json_gradation_id(text).value_or("");
+    if (const std::optional<std::string> id = answer.has_id ? std::nullopt : json_gradation_id(text)) {
+      answer.id = *id;
+      answer.has_id = true;
+    }
     return failed_with(std::move(answer), AnswerVerdict::garbage, e.what());
   }
 }
@@ -297,7 +323,8 @@ std::vector<OtherAnswer> read_answers(std::string_view content, const std::strin
       source.refuse(lines.number(),
                     "a carriage return (CR) is there that no line feed (LF) follows: end lines "
                     "with LF or CR LF");
-    if (line.empty() || (!json && line.front() == '#'))
+    const bool is_sieve = line.size() > 1 && line[0] == '#' && is_digit(line[1]);
+    if (line.empty() || (!json && line.front() == '#' && !is_sieve))
       continue;
     if (json) {
       answers.push_back(json_answer(line));
@@ -311,6 +338,10 @@ std::vector<OtherAnswer> read_answers(std::string_view content, const std::strin
     } else {
       OtherAnswer &answer = answers.emplace_back();
       try {
+        if (is_sieve)
+          throw InputError(
+              "a line that begins with # and a digit may be a comment or an id: write '# ' before "
+              "a comment, and quotes around an id");
         table->read(line, answer);
       } catch (const InputError &e) {
         answer = failed_with(std::move(answer), AnswerVerdict::garbage, e.what());

@@ -19,7 +19,8 @@ struct StatedSize {
 
 /// A solver's answer to one gradation, not judged yet.
 struct OtherAnswer {
-  std::string id;                            ///< of the gradation; empty if it could not be read
+  std::string id;                            ///< of the gradation
+  bool has_id = false;                       ///< it could be read
   std::map<std::string, std::string> labels; ///< other columns or keys with a text or a number, by name
   /// Why there are no particles, if there are none, and the details; else nothing.
   std::optional<AnswerVerdict> failure;
@@ -28,10 +29,13 @@ struct OtherAnswer {
   std::vector<Integer> quantities; ///< >= 0, one a class with mass or one a class
   /// Empty, or one for each quantity; nothing where the answer has none (an empty class).
   std::vector<std::optional<StatedSize>> sizes;
-  Rational unit_mm = 1; ///< the unit of the sizes in mm
+  /// Openings of the classes, in decimals; empty, or one for each quantity.
+  std::vector<std::optional<std::pair<Rational, Rational>>> classes;
+  Rational unit_mm = 1;      ///< the unit of the sizes in mm
+  std::string contradiction; ///< what it says of its number of particles, where its quantities are others
 };
 
-/// An answer that is none.
+/// An answer that is none, with its id where that is not empty.
 OtherAnswer failed_answer(std::string id, AnswerVerdict failure, std::string reason);
 
 /// An answer from its JSON: an mdm-answer-1 (what has "classes" is read as one), or {"id", "quantities":
@@ -50,7 +54,8 @@ std::string answer_line(const OtherAnswer &answer,
 /// `id`, `quantities` (whole numbers separated by spaces), optionally one of `sizes_mm`, `sizes_um`,
 /// `sizes_m`, `sizes_in` (decimals separated by spaces), and any others as labels. A line that cannot be read
 /// is an answer that is garbage. A table of mdm batch is read too. Blank lines and, in CSV, those that begin
-/// with # are skipped.
+/// with # are skipped;
+/// one with a digit behind the # is garbage.
 /// \throws InputError `file:line: ...` if the header is broken
 std::vector<OtherAnswer> read_answers(std::string_view content, const std::string &file);
 

@@ -115,6 +115,14 @@ void make_folder(const std::string &path) {
     refuse_file(path, "no folder can be made there", errno_of(error), "name another");
 }
 
+bool has_file(const std::string &folder, std::string_view ending) {
+  std::error_code unreadable; // what is written there is refused later
+  const std::filesystem::directory_iterator entries(filesystem_path(folder), unreadable);
+  return std::any_of(begin(entries), end(entries), [ending](const std::filesystem::directory_entry &entry) {
+    return path_name(entry.path()).ends_with(ending);
+  });
+}
+
 void check_distinct(const std::vector<std::string> &paths) {
   std::set<std::string> seen;
   for (const std::string &path : paths) {

@@ -55,4 +55,7 @@ void check_size(const std::string &path, std::size_t bytes, std::size_t most);
 /// \throws InputError if that cannot be
 void make_folder(const std::string &path);
 
+/// True for a folder with a file whose name ends so.
+bool has_file(const std::string &folder, std::string_view ending);
+
 } // namespace mdm

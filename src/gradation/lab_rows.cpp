@@ -89,8 +89,7 @@ public:
         statements_(statements_above(cells_, columns_)),
         sign_(sign_of(cells_, columns_, statements_, source)), sizes_(cells_, columns_, reading, sign_),
         chosen_(columns_.value_name, columns_.values, columns_.grams, sign_),
-        beside_(columns_.further, sign_), unused_(columns_, reading.columns.has_value(), sign_, source),
-        common_others_(columns_.others), all_others_(columns_.others) {
+        beside_(columns_.further, sign_), unused_(columns_, reading.columns.has_value(), sign_, source) {
     read_.table.unit = sizes_.unit();
     read_.table.file_unit = sizes_.file_unit();
     read_.table.header_line = header_line(cells_, columns_);
@@ -104,7 +103,6 @@ public:
                      fmt::format("there is no row with a size and a number below {} and {}: {}",
                                  in_quotes(columns_.size_name), in_quotes(columns_.value_name),
                                  column_options()));
-    columns_.others = common_others_;
     unused_.check_samples(sieves_, chosen_.meaning().meaning);
     if (cells_.delimiter == ',' && !reading_.columns)
       check_last_column(sieves_, columns_, source_);
@@ -117,7 +115,7 @@ public:
     read_.beside = beside_.all();
     read_.unread = unused_.speaking_of_mass(sieves_);
     columns_.values = chosen_.meaning();
-    columns_.others = all_others_;
+    columns_.others = unused_.all();
     read_.columns = columns_;
     return std::move(read_);
   }
@@ -184,7 +182,8 @@ private:
     columns_.size = next->size;
     columns_.value = next->value;
     columns_.names = next->names;
-    take_others(next->others);
+    columns_.others = next->others;
+    unused_.go_on(next->others);
     if (next->sizes.unit != columns_.sizes.unit)
       sizes_.begin_unit();
     columns_.sizes = next->sizes;
@@ -239,21 +238,6 @@ private:
       if ((may_hold_values(column.name) || UnusedColumns::names_mass(column.name)) &&
           !is_among(column, columns_.others))
         refuse_new(column.name);
-  }
-
-  static bool is_among(const UnusedColumn &column, const std::vector<UnusedColumn> &others) {
-    return std::any_of(others.begin(), others.end(), [&column](const UnusedColumn &other) {
-      return other.place == column.place && other.name == column.name;
-    });
-  }
-
-  /// The columns of the rows to come, and those that all rows have.
-  void take_others(const std::vector<UnusedColumn> &next) {
-    columns_.others = next;
-    std::erase_if(common_others_, [&next](const UnusedColumn &column) { return !is_among(column, next); });
-    for (const UnusedColumn &column : next)
-      if (!is_among(column, all_others_))
-        all_others_.push_back(column);
   }
 
   /// The unit that was asked for is that of the first header.
@@ -549,7 +533,6 @@ private:
   ChosenColumn chosen_;
   ColumnsBeside beside_;
   UnusedColumns unused_;
-  std::vector<UnusedColumn> common_others_, all_others_; ///< below all headers, and below any
   LabRows read_;
   std::size_t row_ = 0;
   bool below_gap_ = false;

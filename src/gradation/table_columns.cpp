@@ -480,6 +480,12 @@ void check_words_above(const Cells &cells, std::size_t row, const TableColumns &
 
 } // namespace
 
+bool is_among(const UnusedColumn &column, const std::vector<UnusedColumn> &others) {
+  return std::any_of(others.begin(), others.end(), [&column](const UnusedColumn &other) {
+    return other.place == column.place && other.name == column.name;
+  });
+}
+
 std::string column_options() {
   return fmt::format("say which columns they are with {} SIZE,VALUE (names or numbers), "
                      "{} passing|retained|cumulative, {} mm and {} N",

@@ -28,6 +28,9 @@ struct UnusedColumn {
   std::string name;
 };
 
+/// True where one of them has its place and name.
+bool is_among(const UnusedColumn &column, const std::vector<UnusedColumn> &others);
+
 /// The two columns, and the place of the rows below their header.
 struct TableColumns {
   std::size_t size = 0, value = 0;   ///< columns

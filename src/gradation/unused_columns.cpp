@@ -65,10 +65,18 @@ bool UnusedColumns::names_mass(std::string_view cell) {
   return meaning != RowMeaning::none && meaning != RowMeaning::moist_mass && meaning != RowMeaning::total;
 }
 
+void UnusedColumns::go_on(const std::vector<UnusedColumn> &next) {
+  here_ = next;
+  std::erase_if(common_, [&next](const UnusedColumn &column) { return !is_among(column, next); });
+  for (const UnusedColumn &column : next)
+    if (!is_among(column, all_))
+      all_.push_back(column);
+}
+
 void UnusedColumns::check_sieve(const CellRow &row, std::size_t rows, bool is_alone) const {
   if (are_chosen_)
     return;
-  for (const auto &[place, name] : columns_.others) {
+  for (const auto &[place, name] : here_) {
     const std::string_view cell = row.cell(place);
     const bool has_number = number_cell(cell).has_value();
     const bool counts_rows = place == 0 && (cell == std::to_string(rows) || cell == std::to_string(rows + 1));
@@ -101,16 +109,16 @@ void UnusedColumns::check_named(const CellRow &row, const std::string &name, std
   const RowMeaning meaning = row_words(name).meaning;
   if (meaning == RowMeaning::pan || meaning == RowMeaning::wash_loss || meaning == RowMeaning::pan_and_wash)
     refuse_number(row, name, cell);
-  if (names_empty_sieves(name) && names_mass_alone(columns_.value_name) && is_alone)
+  if (names_empty_sieves(name) && names_mass_alone(value_name_) && is_alone)
     refuse(row, fmt::format(
                     "{} may be with what is in {}, which is weighed too: give a column of what is retained",
-                    in_quotes(columns_.value_name), in_quotes(name)));
+                    in_quotes(value_name_), in_quotes(name)));
 }
 
 void UnusedColumns::check_account(const CellRow &row, const std::vector<const CellRow *> &sieves) const {
   if (are_chosen_)
     return;
-  for (const auto &[place, name] : columns_.others) {
+  for (const auto &[place, name] : here_) {
     const auto has_number = [column = place](const CellRow *r) {
       return number_cell(r->cell(column)).has_value();
     };
@@ -127,16 +135,16 @@ void UnusedColumns::check_account(const CellRow &row, const std::vector<const Ce
 void UnusedColumns::check_unit(const CellRow &row) {
   if (are_chosen_)
     return;
-  for (const UnusedColumn &column : columns_.others) {
+  for (const UnusedColumn &column : here_) {
     const std::string_view cell = row.cell(column.place);
     if (unit_of_words(cell) != ColumnUnit::mass)
       continue;
     const std::string unit = plain_words(cell);
     std::string &before = units_[column.place];
-    const bool is_others = columns_.grams != 0 && grams_in(cell) != columns_.grams;
+    const bool is_others = grams_ != 0 && grams_in(cell) != grams_;
     if (is_others || (!before.empty() && before != unit))
       refuse(row, fmt::format("the mass in {} is in {}, and others are not: write all alike",
-                              in_quotes(columns_.value_name), in_quotes(cell)));
+                              in_quotes(value_name_), in_quotes(cell)));
     before = unit;
   }
 }
@@ -163,7 +171,7 @@ UnusedColumns::numbers_in(const UnusedColumn &column, const std::vector<const Ce
 
 std::vector<ColumnBeside> UnusedColumns::speaking_of_mass(const std::vector<const CellRow *> &sieves) const {
   std::vector<ColumnBeside> columns;
-  for (const UnusedColumn &column : columns_.others) {
+  for (const UnusedColumn &column : common_) {
     std::optional<std::vector<std::optional<PrintedNumber>>> numbers = numbers_in(column, sieves);
     if (are_chosen_ || !numbers || !may_hold_values(column.name) || !have_two_values(*numbers))
       continue;
@@ -184,7 +192,7 @@ void UnusedColumns::check_corrected(const Table &table, const std::vector<const 
   if (are_chosen_)
     return;
   const bool are_retained = values == ColumnMeaning::retained;
-  for (const UnusedColumn &column : columns_.others) {
+  for (const UnusedColumn &column : common_) {
     const bool has_number = std::any_of(sieves.begin(), sieves.end(), [&column](const CellRow *row) {
       return number_cell(row->cell(column.place)).has_value();
     });
@@ -202,7 +210,7 @@ void UnusedColumns::check_corrected(const Table &table, const std::vector<const 
           table.header_line,
           fmt::format("the column {} may change what is in {}, and differs from row to row: give the dry "
                       "masses of the whole sample, or choose the columns with {} SIZE,VALUE",
-                      in_quotes(column.name), in_quotes(columns_.value_name), option("columns")));
+                      in_quotes(column.name), in_quotes(value_name_), option("columns")));
     const std::optional<std::vector<Rational>> numbers = full(numbers_in(column, sieves));
     if (numbers && (are_retained ? are_corrected_masses(table.values, *numbers)
                                  : are_corrected_percents(table.sizes, table.values, *numbers)))
@@ -211,12 +219,12 @@ void UnusedColumns::check_corrected(const Table &table, const std::vector<const 
           fmt::format(
               "the column {} has the numbers of {} in some rows, and others in the rest: choose one with "
               "{} SIZE,VALUE",
-              in_quotes(column.name), in_quotes(columns_.value_name), option("columns")));
+              in_quotes(column.name), in_quotes(value_name_), option("columns")));
   }
 }
 
 void UnusedColumns::check_samples(const std::vector<const CellRow *> &sieves, ColumnMeaning values) const {
-  for (const UnusedColumn &column : columns_.others) {
+  for (const UnusedColumn &column : common_) {
     const bool may_be_parts =
         values == ColumnMeaning::retained && has_word("test part portion stage", plain_words(column.name));
     if (!names_samples(column.name) && !may_be_parts)

@@ -17,9 +17,16 @@ namespace mdm {
 /// refused. All members throw an InputError with the line.
 class UnusedColumns {
 public:
-  /// \param columns  kept by reference: those of the header above the row that is read; so is `source`
+  /// \param columns  of the first header; \param source  is kept by reference
   UnusedColumns(const TableColumns &columns, bool are_chosen, const TableSign &sign, const Source &source)
-      : columns_(columns), are_chosen_(are_chosen), sign_(sign), source_(source) {}
+      : value_name_(columns.value_name), grams_(columns.grams), here_(columns.others),
+        common_(columns.others), all_(columns.others), are_chosen_(are_chosen), sign_(sign), source_(source) {
+  }
+
+  /// Those below any header.
+  const std::vector<UnusedColumn> &all() const { return all_; }
+  /// Goes on below another header, which has these.
+  void go_on(const std::vector<UnusedColumn> &next);
 
   /// What stands below no name, in a column whose mass belongs to the table, or is the pan of a block beside
   /// it.
@@ -53,7 +60,9 @@ private:
   std::optional<std::vector<std::optional<PrintedNumber>>>
   numbers_in(const UnusedColumn &column, const std::vector<const CellRow *> &sieves) const;
 
-  const TableColumns &columns_;
+  std::string value_name_;                        ///< of the column of values
+  unsigned grams_;                                ///< in one of its unit; 0 where that is not said
+  std::vector<UnusedColumn> here_, common_, all_; ///< below the last header, below all, and below any
   bool are_chosen_;
   TableSign sign_;
   const Source &source_;

@@ -42,6 +42,8 @@ private:
   void read_names() {
     has_radii_ = std::find(fields_.begin(), fields_.end(), "r") != fields_.end();
     columns_ = {column("X"), column("Y"), column("Z"), column(has_radii_ ? "r" : "clump_type")};
+    if (has_radii_ && std::find(fields_.begin(), fields_.end(), "clump_type") != fields_.end())
+      source_.refuse("there are columns r and clump_type, which both tell the radius: leave one out");
     width_ = fields_.size();
   }
 

@@ -32,9 +32,10 @@ public:
       return;
     if (item_ == Item::none)
       source_.refuse("the line is not below an ITEM: begin with ITEM: TIMESTEP");
-    if (item_ == Item::units)
+    if (item_ == Item::units) {
       take_units(words_.front(), source_);
-    else if (item_ == Item::timestep)
+      item_ = Item::other;
+    } else if (item_ == Item::timestep)
       begin_timestep();
     else if (item_ == Item::count)
       read_count();
@@ -68,6 +69,7 @@ private:
 
   void begin_item(std::string_view item) {
     split_words(item, words_);
+    check_item();
     if (item == "TIMESTEP") {
       check_complete();
       check_some();
@@ -86,6 +88,14 @@ private:
       check_complete_atoms();
       item_ = item == "UNITS" ? Item::units : Item::other;
     }
+  }
+
+  /// The item above has its lines; one of a timestep that was not asked for may be cut off.
+  void check_item() const {
+    if (item_ == Item::units)
+      source_.refuse("there is no unit below ITEM: UNITS: write it, or leave the item out");
+    if (item_ == Item::box && axis_ < 3 && taken_)
+      source_.refuse("the bounds of the box have fewer than three lines: is the file damaged?");
   }
 
   void check_complete_atoms() const {
@@ -206,7 +216,7 @@ private:
     if (read_ == *atoms_)
       source_.refuse(
           fmt::format("there are more atoms than the {} of this timestep: is the file damaged?", *atoms_));
-    if (words_.size() != width_)
+    if (words_.size() != width_ && taken_)
       source_.refuse(fmt::format("the line has {} values, there are {} columns: is the file cut off?",
                                  words_.size(), width_));
     if (taken_)

@@ -25,10 +25,15 @@ std::string_view take_item(std::string_view &rest) {
   return item;
 }
 
-/// The value behind a key and its `=` in a comment, without quotes around it.
+bool starts_with_key(std::string_view item, std::string_view key) {
+  return item.size() >= key.size() && std::equal(key.begin(), key.end(), item.begin(),
+                                                 [](char a, char b) { return lower(a) == lower(b); });
+}
+
+/// The value behind a key, in letters of any case, and its `=` in a comment, without quotes around it.
 std::optional<std::string_view> value_of(std::string_view key, std::string_view comment) {
   for (std::string_view item = take_item(comment); !item.empty(); item = take_item(comment)) {
-    if (!item.starts_with(key))
+    if (!starts_with_key(item, key))
       continue;
     item.remove_prefix(key.size());
     const bool has_quotes = item.size() >= 2 && item.front() == '"' && item.back() == '"';
@@ -99,7 +104,8 @@ private:
 
   /// The format has no key for the unit; one that is there is not passed over.
   void read_unit(std::string_view comment) {
-    for (const std::string_view key : {"unit=", "units="})
+    for (const std::string_view key :
+         {"unit=", "units=", "length_unit=", "length_units=", "lengthunit=", "size_unit=", "radius_unit="})
       if (const std::optional<std::string_view> stated = value_of(key, comment)) {
         const std::optional<SizeUnit> unit = parse_size_unit(*stated);
         if (!unit)

@@ -14,7 +14,8 @@ namespace {
 /// A script of LIGGGHTS, of which only four kinds of lines count: `units STYLE`, `fix ID group
 /// particletemplate/sphere ... radius constant R`, `fix ID group particledistribution/discrete/numberbased
 /// seed n ID weight ...` where one weight alone is not 0, and `fix ID group insert/pack ...
-/// distributiontemplate ID ... particles_in_region N`, N being all particles that are there then.
+/// distributiontemplate ID ... region ID particles_in_region N`, N being all particles that are there then.
+/// What may bring other particles than these is refused.
 class InsertionReader : public LineReader {
 public:
   explicit InsertionReader(ParticleSource &source) : source_(source) {
@@ -23,6 +24,9 @@ public:
 
   void line(std::string_view text) override {
     split_words(text, words_);
+    if (words_.empty() || words_[0].front() == '#')
+      return;
+    check_line();
     if (words_.size() >= 2 && words_[0] == "units")
       take_units(words_[1], source_);
     constexpr std::size_t style = 3;
@@ -39,6 +43,23 @@ public:
   void end() override { source_.check_some(); }
 
 private:
+  void check_line() const {
+    if (words_.back() == "&")
+      source_.refuse("the line goes on in the next one: write it in one line, without &");
+    constexpr std::string_view others[] = {"create_atoms", "delete_atoms", "include", "jump",
+                                           "read_data",    "read_dump",    "set",     "read_restart"};
+    if (std::find(std::begin(others), std::end(others), words_[0]) != std::end(others))
+      source_.refuse(
+          fmt::format("what {} brings is not known: give a dump of the particles, or the script of "
+                      "the insertions alone",
+                      in_quotes(words_[0])));
+    const auto then = std::find(words_.begin(), words_.end(), "then");
+    const bool stops_alone = words_.back() == "quit" && then != words_.end() && then + 1 != words_.end() &&
+                             *(then + 1) == "\"print";
+    if (words_[0] == "if" && !stops_alone)
+      source_.refuse("what an if does is not known, unless it prints and quits: write its lines without it");
+  }
+
   /// The word behind a keyword; empty if it is not there.
   std::string_view behind(std::string_view keyword) const {
     const auto found = std::find(words_.begin(), words_.end(), keyword);
@@ -56,6 +77,12 @@ private:
     constexpr std::size_t first = 6; // behind the seed and the number of templates
     if (words_[3] != "particledistribution/discrete/numberbased" || words_.size() < first + 2)
       source_.refuse("the distribution is not numberbased with a template: counts cannot be told");
+    const std::optional<std::uint64_t> templates = parse_count(words_[first - 1]);
+    if (!templates || words_.size() != first + 2 * *templates)
+      source_.refuse(
+          fmt::format("the distribution has {} templates by its number, and not as many names with "
+                      "weights: put one of them right",
+                      in_quotes(words_[first - 1])));
     std::string_view only;
     for (std::size_t i = first; i + 1 < words_.size(); i += 2) {
       if (!is_number(words_[i + 1]))
@@ -81,6 +108,11 @@ private:
       source_.refuse(fmt::format("particles_in_region {} is no number above {}, the total so far: give the "
                                  "running total",
                                  in_quotes(count), total_));
+    const std::string_view region = behind("region");
+    if (total_ > 0 && region != region_)
+      source_.refuse(fmt::format("the region is {}, and {} above: give the insertions of one region",
+                                 in_quotes(region), in_quotes(region_)));
+    region_ = region;
     source_.particle(radius->second, Integer(*total - total_));
     total_ = *total;
   }
@@ -89,6 +121,7 @@ private:
   std::vector<std::string_view> words_;
   std::map<std::string, std::string> radii_;         ///< of templates
   std::map<std::string, std::string> distributions_; ///< the radius of each
+  std::string region_;
   std::uint64_t total_ = 0;
 };
 

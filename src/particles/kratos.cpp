@@ -38,7 +38,7 @@ public:
   }
 
   void end() override {
-    if (depth_ > 0)
+    if (!open_.empty())
       source_.refuse("the file ends inside a block, without its End: is it cut off?");
     if (elements_ != radii_)
       source_.refuse(
@@ -61,9 +61,9 @@ private:
     if (words_.size() < 2)
       source_.refuse("a block without a name begins: write for example Begin Nodes");
     const bool has_more = words_.size() > 2;
-    ++depth_;
+    open_.emplace_back(words_[1]);
     block_ = Block::other;
-    if (depth_ > 1)
+    if (open_.size() > 1)
       return;
     if (words_[1] == "Nodes")
       block_ = Block::nodes;
@@ -75,9 +75,9 @@ private:
   }
 
   void leave() {
-    if (depth_ == 0)
-      source_.refuse("a block ends that did not begin: is the file damaged?");
-    --depth_;
+    if (open_.empty() || words_.size() < 2 || words_[1] != open_.back())
+      source_.refuse("a block ends that did not begin, or another one is open: is the file damaged?");
+    open_.pop_back();
     block_ = Block::other;
   }
 
@@ -136,7 +136,7 @@ private:
   ParticleSource &source_;
   std::vector<std::string_view> words_;
   Block block_ = Block::other;
-  unsigned depth_ = 0; ///< of blocks: parts of a model are inside each other
+  std::vector<std::string> open_; ///< names of blocks: parts of a model are inside each other
   std::unordered_map<std::uint64_t, Node> nodes_;
   std::uint64_t elements_ = 0, radii_ = 0;
 };

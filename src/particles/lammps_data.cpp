@@ -56,13 +56,17 @@ private:
 
   /// write_data ends its title with `units = STYLE`.
   void read_title(std::string_view title) {
-    split_words(title, words_);
-    for (std::size_t i = 0; i + 2 < words_.size(); ++i)
-      if (words_[i] == "units" && words_[i + 1] == "=")
-        take_units(words_[i + 2].substr(0, words_[i + 2].find(',')), source_);
+    constexpr std::string_view word = "units";
+    for (std::size_t at = title.find(word); at != std::string_view::npos; at = title.find(word, at + 1)) {
+      const std::string_view rest = trimmed(title.substr(at + word.size()));
+      if (rest.starts_with('='))
+        take_units(trimmed(rest.substr(1)).substr(0, trimmed(rest.substr(1)).find_first_of(", \t")), source_);
+    }
   }
 
   void read_count() {
+    if (atoms_)
+      source_.refuse("the number of atoms is there twice: leave one");
     atoms_ = parse_count(words_[0]);
     if (!atoms_)
       source_.refuse(fmt::format("{} is no number of atoms: write a whole number", in_quotes(words_[0])));

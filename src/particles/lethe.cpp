@@ -24,10 +24,16 @@ public:
     if (trimmed(text).empty())
       return;
     split(trimmed(text));
-    if (width_ == 0)
+    if (width_ == 0) {
       read_names();
-    else
-      read_particle();
+      return;
+    }
+    const bool is_ended = trimmed(text).ends_with(';');
+    if (is_ended != are_ended_.value_or(is_ended))
+      source_.refuse(
+          "the line does not end as the first one, with a semicolon or without: is the file cut off?");
+    are_ended_ = is_ended;
+    read_particle();
   }
 
   void end() override { source_.check_some(); }
@@ -64,7 +70,8 @@ private:
   ParticleSource &source_;
   std::vector<std::string_view> fields_;
   std::array<std::size_t, 4> columns_{};
-  std::size_t width_ = 0; ///< 0 above the names
+  std::size_t width_ = 0;         ///< 0 above the names
+  std::optional<bool> are_ended_; ///< the last number of a line has a semicolon behind it too
 };
 
 } // namespace

@@ -104,9 +104,9 @@ void ParticleSource::check_place(const SphereSample::Place &place) const {
   }
 }
 
-Rational ParticleSource::number(const char *what, std::string_view text) const {
+Rational ParticleSource::number(const char *what, std::string_view text, char point) const {
   try {
-    return parse_decimal(text);
+    return parse_decimal(text, point);
   } catch (const InputError &error) {
     refuse(fmt::format("{} {}", what, error.what()));
   }

@@ -47,6 +47,12 @@ public:
   /// A particle whose size is written as `text`.
   void particle(std::string_view text, const Integer &quantity = 1, char point = '.',
                 const ReadSize &read = read_decimal);
+  /// \throws InputError if the text is no size
+  void check_size(std::string_view text, char point, const ReadSize &read) const {
+    diameter(text, point, read);
+  }
+  /// The exact number. \throws InputError that says what it is if it is none
+  Rational number(const char *what, std::string_view text, char point = '.') const;
   /// A particle with its place. \throws InputError if a coordinate is no number
   void particle_at(const SphereSample::Place &place, std::string_view size, char point = '.',
                    const ReadSize &read = read_decimal);
@@ -96,7 +102,6 @@ private:
       count_ += quantity;
   }
   RootSize diameter(std::string_view text, char point, const ReadSize &read) const;
-  Rational number(const char *what, std::string_view text) const;
 
   std::string file_;
   ParticleSink &sink_;

@@ -73,6 +73,8 @@ public:
       throw InputError("of size_lo and size_hi one is missing: give both");
     if (!has_bounds && !of_class_.empty() && !passes_over_)
       refuse_unknown(of_class_);
+    if (has_bounds && unit_of_class_ && (!columns_.has_unit || *unit_of_class_ != columns_.kind))
+      throw InputError("the columns lower and upper have another unit than size_lo: write all in one");
     if (columns_.size.has_value() == has_bounds)
       throw InputError(has_bounds ? "there are a size and its bounds: give one of them"
                                   : "there is no column of sizes: name it, for example, size_mm");
@@ -108,11 +110,11 @@ private:
     } else if (kind != SizeKind::phi && is_one_of(stem, {"size_lo", "size_hi"})) {
       set_unit(kind);
       set(stem == "size_lo" ? columns_.lo : columns_.hi, i, name);
-    } else if (kind && stem == "lower")
-      set(columns_.lower, i, name);
+    } else if (kind && is_one_of(stem, {"lower", "upper"}))
+      set_of_class(stem == "lower" ? columns_.lower : columns_.upper, i, name, *kind);
     else if (name == "quantity" || name == "count")
       set(columns_.quantity, i, name);
-    else if (is_one_of(name, {"class", "mass"}) || (kind && stem == "upper"))
+    else if (is_one_of(name, {"class", "mass"}))
       of_class_ = name;
     else if (is_one_of(stem, {"x", "y", "z"}))
       set_axis(axes_[static_cast<std::size_t>(stem.front() - 'x')], i, name, kind);
@@ -179,7 +181,21 @@ private:
     axis = {i, kind};
   }
 
+  /// A bound of a row's class.
+  void set_of_class(std::optional<std::size_t> &column, std::size_t i, const std::string &name,
+                    SizeKind kind) {
+    if (unit_of_class_ && *unit_of_class_ != kind)
+      throw InputError("column " + in_quotes(name) + ": the other bound has another unit: write both in one");
+    unit_of_class_ = kind;
+    if (&column == &columns_.upper)
+      of_class_ = name;
+    set(column, i, name);
+  }
+
   void set_unit(std::optional<SizeKind> kind) {
+    const bool is_second = columns_.size || columns_.lo || columns_.hi;
+    if (is_second && (kind.has_value() != columns_.has_unit || kind.value_or(SizeKind::mm) != columns_.kind))
+      throw InputError("the columns of sizes have different units: write them in one");
     columns_.has_unit = kind.has_value();
     columns_.kind = kind.value_or(SizeKind::mm);
   }
@@ -208,6 +224,7 @@ private:
   bool passes_over_; ///< names that are not known
   ParticleColumns columns_;
   std::array<std::optional<Axis>, 3> axes_; ///< x, y and z
+  std::optional<SizeKind> unit_of_class_;   ///< of lower and upper
   std::string of_class_;                    ///< a column of what solve and generate say of classes
 };
 

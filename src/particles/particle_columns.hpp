@@ -22,6 +22,7 @@ struct ParticleColumns {
   std::optional<std::size_t> size, lo, hi;
   unsigned power = 1; ///< of the sizes in the column size, which is of fractions where it is above 1
   std::optional<std::size_t> lower;    ///< the opening below sizes between lo and hi: they are larger
+  std::optional<std::size_t> upper;    ///< the opening that they are not above
   std::optional<std::size_t> quantity; ///< open: a particle a row
   std::optional<std::size_t> id, type;
   std::optional<std::size_t> material;
@@ -38,9 +39,9 @@ struct ParticleColumns {
 /// unit `size`, `diameter`, `d`, `radius`, `r`) , the power of one
 /// (`size_mm^3`), or its bounds (`size_lo_mm`, `size_hi_mm`), and beside it
 /// `quantity` or `count`, `material`, places (`x`, `y`, `z`, also with a unit), `id`,
-/// `type`, and what is not read beside bounds `class`, `lower_mm`, `upper_mm`, `mass`. Other columns are
-/// passed over where ParaView wrote the file (`Points:0`, `Points:1`, `Points:2` are its places), or the
-/// column of sizes is named.
+/// `type`, and beside bounds those of their class, `lower_mm` and `upper_mm`, and what is not read, `class`
+/// and `mass`. Other columns are passed over where ParaView wrote the file (`Points:0`, `Points:1`,
+/// `Points:2` are its places), or the column of sizes is named.
 /// \param size_column  the name of the column of sizes; open: as above
 /// \throws InputError naming the column that is unknown, missing, or there twice
 ParticleColumns particle_columns(const std::vector<std::string> &names,

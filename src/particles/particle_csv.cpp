@@ -158,9 +158,10 @@ private:
       source_.refuse(fmt::format("the row has {} fields, and the header {}{}", fields_.size(), width_,
                                  delimiter_ == ',' ? " (with decimal commas, put ; between fields)" : ""));
     check_id();
+    note_samples();
     const Integer n = quantity();
     if (n == 0)
-      return;
+      return check_unused();
     if (columns_.material)
       source_.take_material(fields_[*columns_.material]);
     if (columns_.type)
@@ -176,11 +177,51 @@ private:
       }
       return;
     }
+    check_class();
     const std::string &lo = fields_[*columns_.lo], &hi = fields_[*columns_.hi];
     const bool is_open = lo.starts_with('>'); // as in canonical samples
     const std::string least = lo.substr(is_open ? 1 : 0);
     const std::string lower = is_open ? least : columns_.lower ? fields_[*columns_.lower] : "";
     source_.particle_between(least, hi, lower, n, sign_of(hi));
+  }
+
+  /// In a row of no particles the size may be empty.
+  void check_unused() const {
+    if (columns_.size && !fields_[*columns_.size].empty())
+      source_.check_size(fields_[*columns_.size], sign_of(fields_[*columns_.size]), reader());
+    if (!columns_.size && !(fields_[*columns_.lo].empty() && fields_[*columns_.hi].empty()))
+      check_class();
+  }
+
+  /// The bounds of a size are within those of the row's class, as far as it has them.
+  void check_class() const {
+    const std::string &hi = fields_[*columns_.hi];
+    const std::string lo = fields_[*columns_.lo].substr(fields_[*columns_.lo].starts_with('>') ? 1 : 0);
+    const auto length = [this](const std::string &text) {
+      return source_.number("size", text, sign_of(text));
+    };
+    const auto bound = [this](const std::optional<std::size_t> &column) {
+      return column ? fields_[*column] : std::string();
+    };
+    const std::string lower = bound(columns_.lower), upper = bound(columns_.upper);
+    if ((!lower.empty() && length(hi) <= length(lower)) || (!upper.empty() && length(lo) > length(upper)))
+      source_.refuse(
+          fmt::format("a size between {} and {} is in no class of that lower and upper: put one of "
+                      "them right",
+                      in_quotes(lo), in_quotes(hi)));
+  }
+
+  /// Ids beside quantities may name samples, which are read as one.
+  void note_samples() {
+    if (!columns_.id || !columns_.quantity || has_ids_noted_)
+      return;
+    const std::string &id = fields_[*columns_.id];
+    if (first_id_.empty())
+      first_id_ = id;
+    has_ids_noted_ = id != first_id_;
+    if (has_ids_noted_)
+      source_.note(fmt::format("The column id names {} and {}: all rows were taken as one sample.",
+                               in_quotes(first_id_), in_quotes(id)));
   }
 
   ParticleSource &source_;
@@ -190,6 +231,8 @@ private:
   char delimiter_ = ',';
   std::vector<std::string> fields_;
   bool has_words_as_ids_ = false;
+  std::string first_id_; ///< beside quantities
+  bool has_ids_noted_ = false;
 };
 
 } // namespace

@@ -1,9 +1,11 @@
+#include "particles/comment_words.hpp"
 #include "particles/line_reader.hpp"
+#include "particles/particle_columns.hpp"
 #include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
@@ -30,7 +32,26 @@ public:
 
 protected:
   virtual void row() = 0;
-  virtual void comment() {}
+  virtual void comment() { check_unit(); }
+
+  /// A comment that names another unit than that of the sizes is not passed over, unless the user gave it.
+  void check_unit() const {
+    if (!source_.unit() || source_.options().unit)
+      return;
+    for (const SizeUnit unit : units_in_comment(words_))
+      if (unit != *source_.unit())
+        source_.refuse(fmt::format("the comment names {}, and sizes are taken in {}: say which it is with {}",
+                                   name(unit), name(*source_.unit()), option("size-unit")));
+  }
+
+  /// The words of the comment behind its #.
+  std::vector<std::string> comment_words() const {
+    std::vector<std::string> words(words_.begin(), words_.end());
+    words.front().erase(0, words.front().find_first_not_of('#'));
+    if (words.front().empty() || words.front() == "#")
+      words.erase(words.begin());
+    return words;
+  }
 
   ParticleSource &source_;
   std::vector<std::string_view> words_;
@@ -40,8 +61,32 @@ class DiametersReader : public ListReader {
 public:
   using ListReader::ListReader;
 
+  void end() override {
+    if (is_count_of_others())
+      source_.refuse(
+          fmt::format("{} is the number of the lines below it, and may be no size: leave it out, or "
+                      "write it as {}.0",
+                      first_, first_));
+    ListReader::end();
+  }
+
 private:
+  void comment() override {
+    const std::vector<std::string> words = comment_words();
+    if (words.size() == 1 && has_particle_column(words))
+      source_.refuse(
+          fmt::format("the comment names a column, {}: write the name without #", in_quotes(words.front())));
+    check_unit();
+  }
+
+  bool is_count_of_others() const {
+    const std::optional<std::uint64_t> count = parse_count(first_);
+    return count && rows_ > 2 && *count + 1 == rows_;
+  }
+
   void row() override {
+    if (rows_++ == 0)
+      first_ = words_.front();
     if (words_.size() != 1)
       source_.refuse("the line is not one number: write a size alone, or give " + option("from"));
     if (!is_number(words_.front()))
@@ -51,6 +96,9 @@ private:
                       in_quotes(words_.front())));
     source_.particle(words_.front());
   }
+
+  std::string first_;
+  std::uint64_t rows_ = 0;
 };
 
 class XyzrReader : public ListReader {
@@ -62,24 +110,60 @@ public:
 private:
   static constexpr std::size_t radius = 3;
 
-  /// YADE's export.textExt says so what its columns are, and models of mdm: `# x y z r in m; box 1 2 3`, or
-  /// `...; box 1 2 3, repeated in x y z`.
+  /// Models of mdm say so what their numbers are: `# x y z r in m; box 1 2 3`, or `...; box 1 2 3, repeated
+  /// in x y z`.
   void comment() override {
-    constexpr std::string_view ours[] = {"#", "x", "y", "z", "r", "in"};
-    constexpr std::size_t unit = std::size(ours), box = unit + 2;
-    if (words_.size() > unit && std::equal(std::begin(ours), std::end(ours), words_.begin()) &&
-        words_[unit].starts_with('m')) {
-      source_.take_unit({"m", 1000}, "m in its first line");
-      if (words_.size() >= box + 3 && words_[unit + 1] == "box")
-        set_box(words_.size() > box + 3 && words_[box + 3] == "repeated");
-    }
-    if (words_.size() >= 2 && words_[0] == "#format" && !words_[1].starts_with("x_y_z_r"))
-      source_.refuse(fmt::format("the columns are {}: write x y z r first", in_quotes(words_[1])));
+    const std::vector<std::string> words = comment_words();
+    const std::vector<std::string> ours = {"x", "y", "z", "r", "in"};
+    if (words.size() > ours.size() && std::equal(ours.begin(), ours.end(), words.begin()))
+      take_heading();
+    else
+      check_unit();
+    check_columns(words);
+  }
+
+  void take_heading() {
+    constexpr std::size_t unit = 6, box = 8; // behind `# x y z r in`
+    const std::optional<SizeUnit> stated = unit_in_word(words_[unit]);
+    if (!stated)
+      source_.refuse(fmt::format("{} is no unit of lengths that is known: write mm, um, m or in",
+                                 in_quotes(words_[unit])));
+    source_.take_unit({name(*stated), in_mm(*stated)}, fmt::format("{} in its heading", name(*stated)));
+    if (words_.size() >= box + 3 && words_[unit + 1] == "box")
+      set_box(words_.size() > box + 3 && words_[box + 3] == "repeated");
+  }
+
+  /// The columns that a heading names are x y z r at first. YADE's export.textExt has one, `#format
+  /// x_y_z_r_matId`.
+  void check_columns(const std::vector<std::string> &words) {
+    const auto has = [&words](std::string_view word) {
+      return std::find(words.begin(), words.end(), word) != words.end();
+    };
+    const bool is_of_yade = words_[0] == "#format" && words_.size() >= 2;
+    const bool begins_with_place = words.size() > 1 && words[0] == "x" && words[1] == "y";
+    const bool are_columns = has("x") && has("y") && has("z") && has_particle_column(words);
+    if (!is_of_yade && !begins_with_place && !are_columns)
+      return;
+    const bool is_right =
+        is_of_yade ? words_[1].starts_with("x_y_z_r")
+                   : begins_with_place && words.size() > radius && words[2] == "z" && is_size(words[radius]);
+    if (!is_right)
+      source_.refuse(
+          fmt::format("the columns are {}: write x y z r first, or commas between the names and the "
+                      "numbers, without #",
+                      in_quotes(is_of_yade ? words_[1] : fmt::format("{}", fmt::join(words, " ")))));
+    has_heading_ = true;
+  }
+
+  bool is_size(std::string_view name) const {
+    const bool are_diameters = source_.options().meaning == SizeMeaning::diameter;
+    return name == "r" || name == "rad" || name.starts_with("radius") ||
+           (are_diameters && (name == "d" || name.starts_with("diameter")));
   }
 
   void row() override {
     if (width_ == 0)
-      width_ = words_.size();
+      begin();
     if (width_ <= radius)
       source_.refuse("the line has fewer than four numbers: write x y z r");
     if (words_.size() != width_)
@@ -91,6 +175,15 @@ private:
             fmt::format("{} is not a number: write x y z r in each line, and # before lines of words",
                         in_quotes(words_[i])));
     source_.particle_at({words_[0], words_[1], words_[2]}, words_[radius]);
+  }
+
+  void begin() {
+    width_ = words_.size();
+    if (width_ > radius + 1 && !has_heading_)
+      source_.note(
+          fmt::format("The lines have {} numbers; the first four were taken as x y z r, and the others "
+                      "passed over.",
+                      width_));
   }
 
   /// A box from 0 on, whose sides are the words behind `box`; repeated on all sides, or on none.
@@ -106,6 +199,7 @@ private:
   }
 
   std::size_t width_ = 0;
+  bool has_heading_ = false; ///< that names the columns
 };
 
 } // namespace

@@ -135,10 +135,17 @@ std::optional<SizeUnit> unit_of_heading(std::string_view line) {
 
 /// Refuses files that are no text, by their first line.
 void refuse_binary(std::string_view text, const ParticleSource &source) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    source.refuse("the file is in UTF-16: save it in UTF-8");
   if (text.find('\0') != std::string_view::npos)
     source.refuse(
         "the file is binary, which is not read: write it as text; of a restart file of LAMMPS or LIGGGHTS "
         "let them read_restart it and write a dump with id x y z radius");
+}
+
+[[noreturn]] void refuse_format(const ParticleSource &source) {
+  source.refuse("the format is not one that is known: say it with " + option("from") + ", one of " +
+                particle_format_names());
 }
 
 /// The format that the last of the lines at the beginning of a file tells; nothing where the next must be
@@ -199,8 +206,7 @@ std::optional<ParticleFormat> format_of(const std::vector<std::string> &lines, c
   }
   if (is_first && !numbers)
     return std::nullopt; // the title of a LAMMPS data file
-  source.refuse("the format is not one that is known: say it with " + option("from") + ", one of " +
-                particle_format_names());
+  refuse_format(source);
 }
 
 } // namespace
@@ -313,6 +319,12 @@ void ParticleReader::end() {
   // A number alone is a diameter: extended XYZ has a second line.
   if (!reader_ && pending_.size() == 1 && is_count(pending_.front()))
     begin(ParticleFormat::diameters);
+  const auto has_more = [](const std::string &line) {
+    const std::string_view text = trimmed(line);
+    return !text.empty() && text.front() != '#';
+  };
+  if (std::any_of(pending_.begin(), pending_.end(), has_more))
+    refuse_format(*source_);
   if (!reader_)
     source_->refuse("there are no particles: the file ends before the first");
   reader_->end();

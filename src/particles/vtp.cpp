@@ -37,7 +37,7 @@ public:
     const std::string_view type = root.attribute("type").value();
     if (local_name(root.name()) != "VTKFile" || !(type == "PolyData" || type == "UnstructuredGrid"))
       refuse(root, "it is not the XML of VTK's points: write a VTKFile of type PolyData or UnstructuredGrid");
-    for (const pugi::xml_node piece : child_of(root, type).children("Piece"))
+    for (const pugi::xml_node piece : only_child(root, type).children("Piece"))
       read_piece(piece);
     source_.check_some();
   }
@@ -53,6 +53,15 @@ private:
     const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0));
     source_.set_line(
         static_cast<std::uint64_t>(std::upper_bound(begins_.begin(), begins_.end(), at) - begins_.begin()));
+  }
+
+  /// The child of that name; none where there is none.
+  pugi::xml_node only_child(pugi::xml_node of, std::string_view name) {
+    const pugi::xml_node child = child_of(of, name);
+    for (pugi::xml_node next = child.next_sibling(); next; next = next.next_sibling())
+      if (local_name(next.name()) == name)
+        refuse(next, fmt::format("{} is there a second time: leave one", name));
+    return child;
   }
 
   /// The array of that name; none where there is none.
@@ -73,6 +82,10 @@ private:
     if (std::string_view(array.attribute("format").value()) != "ascii")
       refuse(array, name + " is not ASCII: write the file with the data mode Ascii");
     Words words;
+    const auto texts = array.children();
+    if (std::count_if(texts.begin(), texts.end(),
+                      [](pugi::xml_node n) { return n.type() == pugi::node_pcdata; }) > 1)
+      refuse(array, name + " has a comment, or another tag, among its numbers: leave the numbers alone");
     std::string_view rest = array.child_value();
     while (!(rest = rest.substr(std::min(rest.find_first_not_of(" \t\n"), rest.size()))).empty()) {
       const std::size_t end = std::min(rest.find_first_of(" \t\n"), rest.size());
@@ -103,9 +116,10 @@ private:
     const std::optional<std::uint64_t> points = parse_count(piece.attribute("NumberOfPoints").value());
     if (!points)
       refuse(piece, "the piece has no NumberOfPoints: is the file damaged?");
+    const pugi::xml_node data = only_child(piece, "PointData");
     if (*points == 0) // of a process without particles
-      return;
-    const pugi::xml_node data = child_of(piece, "PointData"), radius = sizes(data, SizeMeaning::radius),
+      return check_empty(data);
+    const pugi::xml_node radius = sizes(data, SizeMeaning::radius),
                          diameter = sizes(data, SizeMeaning::diameter), id = array(data, "id"),
                          type = type_of(data);
     if (!radius && !diameter)
@@ -133,8 +147,14 @@ private:
     }
   }
 
+  void check_empty(pugi::xml_node data) {
+    for (const pugi::xml_node array : data.children("DataArray"))
+      if (std::string_view(array.attribute("format").value()) == "ascii")
+        numbers(array, 0, 1);
+  }
+
   Words places_of(pugi::xml_node piece, std::uint64_t points) {
-    const pugi::xml_node array = child_of(child_of(piece, "Points"), "DataArray");
+    const pugi::xml_node array = only_child(only_child(piece, "Points"), "DataArray");
     if (!array)
       refuse(piece, "the piece has no Points: is the file damaged?");
     return numbers(array, points, 3);

@@ -33,7 +33,9 @@ void TextTable::add_column(const std::string &title, char align) {
 
 std::string csv_field(std::string_view text) {
   const std::string field = printable(text);
-  if (field.find_first_of(",\"") == std::string::npos)
+  const auto is_space = [](char c) { return c == ' '; }; // readers cut them off at both ends
+  const bool has_margin = !field.empty() && (is_space(field.front()) || is_space(field.back()));
+  if (field.find_first_of(",\"") == std::string::npos && !has_margin)
     return field;
   std::string quoted = "\"";
   for (const char c : field)

@@ -89,7 +89,23 @@ TEST_CASE("the answers of batch are judged, as JSON Lines and as CSV", "[cli]") 
       mdm({"crosscheck", problems,
            folder.write("cut.csv", "id,class,lower_mm,upper_mm,share_percent,quantity,size_lo_mm,size_hi_mm\n"
                                    "a,2,1,2,50,1,1.5,1.5\n")}),
-      "cut.csv:2: class 1 of this answer is missing");
+      "cut.csv:2: the classes of an answer are not in order from 1 on");
+}
+
+TEST_CASE("ids with blanks at their ends, or of nothing, come back from CSV as they were", "[cli]") {
+  const TemporaryFolder folder;
+  std::string lines;
+  for (const char *id : {"a", " a", "a ", "", "#1"})
+    lines += std::string(R"({"id":")") + id + R"(","sizes":["1","2","3"],"masses":["2",")" +
+             std::to_string(lines.size() + 1) + "\",\"0\"]}\n";
+  const std::string problems = folder.write("problems.jsonl", lines);
+  for (const std::string name : {"answers.jsonl", "answers.csv"}) {
+    const std::string answers = folder / name;
+    REQUIRE(mdm({"batch", problems, "-o", answers}).exit_code == 0);
+    const Outcome judged = mdm({"crosscheck", problems, answers, "--require-minimal"});
+    INFO(read_file(answers) << judged.out << judged.err);
+    CHECK(judged.exit_code == 0);
+  }
 }
 
 TEST_CASE("the published code's answers to the paper's suite", "[cli]") {

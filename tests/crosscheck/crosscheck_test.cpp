@@ -209,4 +209,31 @@ TEST_CASE("an answer is judged from its JSON, and garbage is told") {
   CHECK(crosscheck.judge("none").verdict == AnswerVerdict::garbage);
 }
 
+TEST_CASE("classes that an answer names are those of the gradation", "[study]") {
+  const auto with = [](const std::string &lower, const std::string &upper, const std::string &unit) {
+    return small().judge(json_answer(R"({"unit":")" + unit + R"(","classes":[{"lower":")" + lower +
+                                     R"(","upper":")" + upper +
+                                     R"(","quantity":"3","size":null},{"quantity":"1","size":null}]})"),
+                         0);
+  };
+  CHECK(with("1", "2", "mm").verdict == AnswerVerdict::minimal);
+  CHECK(with("0.001", "0.002", "m").verdict == AnswerVerdict::minimal);
+  check_no_match(with("1", "2.5", "mm"),
+                 "class 1 of the answer is (1, 2.5], and that of the gradation (1, 2]");
+  check_no_match(with("1", "2", "um"), "class 1 of the answer");
+}
+
+TEST_CASE("an answer that says another number than its quantities is not minimal", "[study]") {
+  const auto with = [](const std::string &quantities, const std::string &particles) {
+    return small().judge(
+        json_answer(R"({"quantities":[)" + quantities + R"(],"particles":)" + particles + "}"), 0);
+  };
+  CHECK(with("3,1", "4").verdict == AnswerVerdict::minimal);
+  check_no_match(with("3,1", "3"), "says that it has 3 particles, and its quantities are 4 together");
+  const CrosscheckRow larger = with("6,2", "4");
+  CHECK(larger.verdict == AnswerVerdict::larger);
+  CHECK(larger.reason.find("says that it has 4 particles") != std::string::npos);
+  check_no_match(with("1,1", "4"), "; the answer says that it has 4");
+}
+
 } // namespace crosscheck_test

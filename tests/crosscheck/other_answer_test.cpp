@@ -206,4 +206,39 @@ TEST_CASE("an answer's line is read back as it was", "[study]") {
   CHECK(c.id == "i");
 }
 
+TEST_CASE("what an answer says against its quantities is known", "[study]") {
+  CHECK(json_answer(R"({"id":"b","quantities":["3","1"],"particles":"2"})").contradiction ==
+        "the answer says that it has 2 particles, and its quantities are 4 together");
+  CHECK(json_answer(R"({"id":"b","quantities":[3,1],"particles":4})").contradiction.empty());
+  for (const char *status : {"none", "infeasible", "no-answer"})
+    check_garbage(json_answer(std::string(R"({"id":"b","quantities":[3,1],"status":")") + status + "\"}"),
+                  "and quantities: leave one of them out");
+  CHECK(!json_answer(R"({"id":"b","quantities":[3,1],"status":"optimal"})").failure);
+  const std::string answer =
+      R"({"id":"b","unit":"mm","particles":"3","classes":[{"lower":"1","upper":"2","quantity":"4","size":null}]})";
+  CHECK(!json_answer(answer).contradiction.empty());
+}
+
+TEST_CASE("an empty id is an id", "[study]") {
+  CHECK(json_answer(R"({"id":"","quantities":[1]})").has_id);
+  CHECK(!json_answer(R"({"quantities":[1]})").has_id);
+  CHECK(json_answer(R"({"id":"","quantities":[-1]})").has_id);
+}
+
+TEST_CASE("a CSV row that begins with # and a digit is no comment", "[study]") {
+  check_garbage(csv("id,quantities", "#1,3 1"), "may be a comment or an id");
+  CHECK(csv("id,quantities", "\"#1\",3 1").id == "#1");
+}
+
+TEST_CASE("rows of mdm batch have their classes in order", "[study]") {
+  const std::string header = "id,class,lower_mm,upper_mm,share_percent,quantity,size_lo_mm,size_hi_mm\n";
+  const std::vector<OtherAnswer> answers =
+      read_answers(header + ",1,1,2,50,3,1.5,1.5\n,2,2,3,50,1,2.5,2.5\n", "a.csv");
+  REQUIRE(answers.size() == 1);
+  CHECK(answers[0].has_id);
+  CHECK(answers[0].classes[1] == std::pair<Rational, Rational>(2, 3));
+  check_refused(header + "a,1,1,2,50,3,1.5,1.5\na,3,2,3,50,1,2.5,2.5\n",
+                "a.csv:3: the classes of an answer are not");
+}
+
 } // namespace other_answer_test
