@@ -9,6 +9,8 @@ namespace {
 void add_tolerances(const TradeoffTexts &asked, TradeoffOptions &o) {
   for (const std::string &part : between_commas(asked.tolerances.value_or("0,0.1,0.2,0.5,1,2,5"))) {
     const std::string text(trimmed(part));
+    if (text.empty())
+      throw InputError(option("tolerances") + ": a value is missing: write a comma between two values");
     if (text.find(':') != std::string::npos)
       throw InputError(option("tolerances") + ": " + in_quotes(text) + ": write values alone, and " +
                        option("kind") + " beside them");

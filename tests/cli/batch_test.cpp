@@ -366,6 +366,17 @@ TEST_CASE("a folder of proofs that cannot be made is refused", "[cli]") {
   CHECK(read_file(file) == "old");
 }
 
+TEST_CASE("a folder that has proofs of another run is told", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string proofs = folder / "proofs";
+  CHECK(mdm({"batch", "--proofs", proofs}, good).err.empty());
+  const Outcome again = mdm({"batch", "--proofs", proofs}, good);
+  CHECK(again.exit_code == 0);
+  CHECK(again.err.find("proofs has proofs of another run; those that this one does not write again stay.") !=
+        std::string::npos);
+  CHECK(mdm({"batch", "--proofs", proofs, "--quiet"}, good).err.empty());
+}
+
 TEST_CASE("batch -o is written whole or not at all", "[cli]") {
   const TemporaryFolder folder;
   CHECK(mdm({"batch", "-o", folder / "answers"}, good).exit_code == 0);

@@ -187,6 +187,7 @@ TEST_CASE("the trade-off refuses what makes no sense, and leaves no file", "[cli
   };
   for (const char *list : {"1,,2", ",", "1,x", "nan", "-1", "101", "1;2", "1%%"})
     refused({std::string("--tolerances=") + list}, "--tolerances: ");
+  refused({"--tolerances", "1,,2"}, "--tolerances: a value is missing");
   refused({"--kind", "rounding"}, "--kind");
   refused({"--plot", folder / "a.gif"}, "let OUT end in .svg, .png or .pdf");
   refused({"--plot", "-"}, "--plot needs a file");
