@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 namespace mdm {
 namespace {
@@ -116,21 +115,22 @@ private:
     const std::vector<std::string> words = comment_words();
     const std::vector<std::string> ours = {"x", "y", "z", "r", "in"};
     if (words.size() > ours.size() && std::equal(ours.begin(), ours.end(), words.begin()))
-      take_heading();
+      take_heading(words);
     else
       check_unit();
     check_columns(words);
   }
 
-  void take_heading() {
-    constexpr std::size_t unit = 6, box = 8; // behind `# x y z r in`
-    const std::optional<SizeUnit> stated = unit_in_word(words_[unit]);
+  void take_heading(const std::vector<std::string> &words) {
+    constexpr std::size_t unit = 5, box = 7; // behind `x y z r in`
+    const std::optional<SizeUnit> stated = unit_in_word(words[unit]);
     if (!stated)
       source_.refuse(fmt::format("{} is no unit of lengths that is known: write mm, um, m or in",
-                                 in_quotes(words_[unit])));
+                                 in_quotes(words[unit])));
     source_.take_unit({name(*stated), in_mm(*stated)}, fmt::format("{} in its heading", name(*stated)));
-    if (words_.size() >= box + 3 && words_[unit + 1] == "box")
-      set_box(words_.size() > box + 3 && words_[box + 3] == "repeated");
+    if (words.size() >= box + 3 && words[unit + 1] == "box")
+      set_box({words[box], words[box + 1], words[box + 2]},
+              words.size() > box + 3 && words[box + 3] == "repeated");
   }
 
   /// The columns that a heading names are x y z r at first. YADE's export.textExt has one, `#format
@@ -186,12 +186,11 @@ private:
                       width_));
   }
 
-  /// A box from 0 on, whose sides are the words behind `box`; repeated on all sides, or on none.
-  void set_box(bool is_repeated) {
-    constexpr std::size_t first = 8;
+  /// A box from 0 on with these sides; repeated on all sides, or on none.
+  void set_box(const std::array<std::string_view, 3> &sides, bool is_repeated) {
     std::array<std::array<std::string, 2>, 3> bounds;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      std::string_view side = words_[first + axis];
+      std::string_view side = sides[axis];
       side.remove_suffix(side.ends_with(',') || side.ends_with(';') ? 1 : 0);
       bounds[axis] = {"0", std::string(side)};
     }

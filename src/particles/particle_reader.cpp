@@ -112,9 +112,7 @@ bool is_place_and_radius(std::string_view line) {
 /// Refuses numbers below a line that names columns of sizes: they are no x y z r.
 void refuse_spaced_table(const std::string &above, const ParticleSource &source) {
   std::vector<std::string_view> words;
-  split_words(above, words);
-  if (!words.empty() && words.front() == "#")
-    words.erase(words.begin());
+  split_words(std::string_view(above).substr(std::min(above.find_first_not_of('#'), above.size())), words);
   const bool is_place = !words.empty() && words.front() == "x";
   if (!is_place && has_particle_column({words.begin(), words.end()}))
     source.refuse(

@@ -85,6 +85,7 @@ TEST_CASE("x y z r: a heading says the unit, and names the columns that are read
   CHECK(read("# x y z r in mm\n" + row).particles == "1.5");
   CHECK(read("# x y z r in micrometres\n" + row).particles == "0.0015");
   CHECK(read("# x y z r in m; box 1 2 3\n" + row).particles == "1500");
+  CHECK(read("#x y z r in mm\n" + row).particles == "1.5");
   CHECK(read("# x y z r in mm\n" + row, in(SizeUnit::mm)).particles == "1.5");
   CHECK(contains(refusal("# x y z r in cubits\n" + row), "file:1: 'cubits' is no unit of lengths"));
   CHECK(contains(refusal("# x y z r in um\n" + row, in(SizeUnit::mm)), "the file says um in its heading"));
