@@ -47,7 +47,7 @@ protected:
   std::vector<std::string> comment_words() const {
     std::vector<std::string> words(words_.begin(), words_.end());
     words.front().erase(0, words.front().find_first_not_of('#'));
-    if (words.front().empty() || words.front() == "#")
+    if (words.front().empty())
       words.erase(words.begin());
     return words;
   }
