@@ -134,9 +134,10 @@ void add_curve(const GenerateTexts &c, const ReadCurve &read, GeneratedSet &set)
   set.classes = how == "sieves" ? sieve_classes(*curve) : size_classes(*curve, classing_named(how), n);
 }
 
-[[noreturn]] void refuse_at_most(const Representativity &wanted) {
-  throw InputError(fmt::format("{}: fewer than the {} of {}: no set can have both", option("at-most"),
-                               to_string(wanted.at_least), option("at-least")));
+void check_at_most(const Integer &at_most, const Representativity &wanted) {
+  if (at_most < wanted.at_least)
+    throw InputError(fmt::format("{}: fewer than the {} of {}: no set can have both", option("at-most"),
+                                 to_string(wanted.at_least), option("at-least")));
 }
 
 Representativity representativity(const GenerateTexts &c) {
@@ -324,8 +325,7 @@ GeneratedSet generated(const GenerateTexts &c, const ReadCurve &read) {
   set.wanted = representativity(c);
   if (c.at_most) {
     set.at_most = natural("at-most", *c.at_most, 1);
-    if (*set.at_most < set.wanted.at_least)
-      refuse_at_most(set.wanted);
+    check_at_most(*set.at_most, set.wanted);
   }
   if (c.table)
     set.table = small_natural("table", *c.table, 2, most_table);
@@ -415,8 +415,7 @@ AccessibleQuestion accessible_question(const GenerateTexts &c) {
   q.classes = class_number(c);
   q.wanted = representativity(c);
   q.at_most = natural("at-most", c.at_most.value_or("10000"), 1);
-  if (q.at_most < q.wanted.at_least)
-    refuse_at_most(q.wanted);
+  check_at_most(q.at_most, q.wanted);
   q.match_digits = digits_of_match(c);
   q.time_limit = match_time(c);
   return q;

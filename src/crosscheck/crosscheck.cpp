@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <numeric>
 
 namespace mdm {
 namespace {
@@ -35,6 +34,15 @@ std::vector<std::optional<StatedSize>> in_unit_of(const Gradation &g, const Othe
     if (x)
       *x = {x->lo * factor, x->hi * factor};
   return sizes;
+}
+
+/// The class of each of n quantities, if they are of all classes, and else each class with mass.
+std::vector<std::size_t> classes_of(const Gradation &g, std::size_t n) {
+  std::vector<std::size_t> classes;
+  for (std::size_t j = 0; j < g.classes(); ++j)
+    if (n == g.classes() || g.mass(j) != 0)
+      classes.push_back(j);
+  return classes;
 }
 
 /// The first class of the answer that g does not have there, in words; or nothing. `index` is that of the
@@ -138,8 +146,8 @@ std::string Crosscheck::State::in_words(const Particles &particles, std::size_t 
 /// nothing.
 std::string Crosscheck::State::take(const OtherAnswer &answer, Particles &particles) const {
   const std::size_t n = answer.quantities.size();
-  const bool all = n == g_.classes();
-  if (!all && n != with_mass_.size()) {
+  const std::vector<std::size_t> index = classes_of(g_, n);
+  if (n != index.size()) {
     const std::string of_all = fmt::format("one for each of the {} classes", g_.classes());
     return fmt::format("there are {} quantities: {}", n,
                        with_mass_.size() == g_.classes()
@@ -150,11 +158,6 @@ std::string Crosscheck::State::take(const OtherAnswer &answer, Particles &partic
     return fmt::format("there are {} sizes for {} quantities: write - for the size of a 0",
                        answer.sizes.size(), n);
   const std::vector<std::optional<StatedSize>> sizes = in_unit_of(g_, answer);
-  std::vector<std::size_t> index = with_mass_;
-  if (all) {
-    index.resize(n);
-    std::iota(index.begin(), index.end(), std::size_t{0});
-  }
   if (std::string wrong = other_class(g_, answer, index); !wrong.empty())
     return wrong;
   for (std::size_t entry = 0; entry < n; ++entry) {
@@ -332,11 +335,7 @@ CrosscheckRow Crosscheck::State::judge_asked(const OtherAnswer &answer,
 std::string Crosscheck::State::spread_over_classes(const OtherAnswer &answer, std::vector<Integer> &q,
                                                    std::vector<std::optional<StatedSize>> &sizes) const {
   const std::size_t n = answer.quantities.size();
-  const bool is_all = n == g_.classes();
-  std::vector<std::size_t> index;
-  for (std::size_t j = 0; j < g_.classes(); ++j)
-    if (is_all || g_.mass(j) != 0)
-      index.push_back(j);
+  const std::vector<std::size_t> index = classes_of(g_, n);
   if (n != index.size())
     return fmt::format("there are {} quantities: one for each of the {} classes is right", n, g_.classes());
   if (!answer.sizes.empty() && answer.sizes.size() != n)

@@ -81,6 +81,15 @@ std::string text_or_empty(const Json &object, const char *key) {
   return object.contains(key) && object.at(key).is_string() ? object.at(key).get<std::string>() : "";
 }
 
+/// What an answer says of its number of particles is held against its quantities.
+void compare_number(const Integer &stated, OtherAnswer &answer) {
+  const Integer all = std::accumulate(answer.quantities.begin(), answer.quantities.end(), Integer(0));
+  if (stated != all && !answer.quantities.empty())
+    answer.contradiction =
+        fmt::format("the answer says that it has {} particles, and its quantities are {} together",
+                    to_string(stated), to_string(all));
+}
+
 void take_classes(const Json &object, OtherAnswer &answer) {
   StatedParticles stated = AnswerReader(object).particles();
   for (StatedParticles::Class &c : stated.classes) {
@@ -89,16 +98,12 @@ void take_classes(const Json &object, OtherAnswer &answer) {
     answer.classes.push_back(c.bounds);
   }
   answer.unit_mm = in_mm(stated.unit);
+  if (stated.particles)
+    compare_number(*stated.particles, answer);
 }
 
-/// What an answer says of itself beside its quantities is held against them.
-void check_agrees(const Json &object, OtherAnswer &answer) {
-  const Integer all = std::accumulate(answer.quantities.begin(), answer.quantities.end(), Integer(0));
-  const std::string stated = text_or_empty(object, "particles");
-  if (!stated.empty() && quantity(stated) != all)
-    answer.contradiction =
-        fmt::format("the answer says that it has {} particles, and its quantities are {} together", stated,
-                    to_string(all));
+/// \throws InputError for a status without particles, beside which there are quantities
+void check_status(const Json &object) {
   const std::string status = text_or_empty(object, "status");
   const std::optional<AnswerVerdict> named = answer_verdict_named(status);
   if (status == "none" || named == AnswerVerdict::infeasible || named == AnswerVerdict::no_answer)
@@ -114,6 +119,9 @@ void take_particles(const Json &object, OtherAnswer &answer) {
     if (has_member(object, "sizes"))
       for (const Json &x : array_of(object, "sizes"))
         answer.sizes.push_back(json_size(x));
+    const std::string stated = text_or_empty(object, "particles");
+    if (!stated.empty() && !answer.quantities.empty())
+      compare_number(quantity(stated), answer);
   }
   if (!has_member(object, "unit"))
     return;
@@ -271,7 +279,7 @@ OtherAnswer json_answer(std::string_view text) {
     if (answer.quantities.empty())
       take_failure(object, answer);
     else
-      check_agrees(object, answer);
+      check_status(object);
     return answer;
   } catch (const InputError &e) {
     if (const std::optional<std::string> id = answer.has_id ? std::nullopt : json_gradation_id(text)) {

@@ -54,8 +54,7 @@ std::string answer_line(const OtherAnswer &answer,
 /// `id`, `quantities` (whole numbers separated by spaces), optionally one of `sizes_mm`, `sizes_um`,
 /// `sizes_m`, `sizes_in` (decimals separated by spaces), and any others as labels. A line that cannot be read
 /// is an answer that is garbage. A table of mdm batch is read too. Blank lines and, in CSV, those that begin
-/// with # are skipped;
-/// one with a digit behind the # is garbage.
+/// with # are skipped; one with a digit behind the # is garbage.
 /// \throws InputError `file:line: ...` if the header is broken
 std::vector<OtherAnswer> read_answers(std::string_view content, const std::string &file);
 

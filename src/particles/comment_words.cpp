@@ -2,6 +2,9 @@
 
 #include "gradation/header_words.hpp"
 #include "gradation/plain_words.hpp"
+#include "particles/line_reader.hpp"
+
+#include <algorithm>
 
 namespace mdm {
 namespace {
@@ -18,6 +21,12 @@ bool is_clear(SizeUnit unit, std::string_view word) {
 }
 
 } // namespace
+
+std::vector<std::string> words_behind_hash(std::string_view line) {
+  std::vector<std::string_view> words;
+  split_words(line.substr(std::min(line.find_first_not_of('#'), line.size())), words);
+  return {words.begin(), words.end()};
+}
 
 std::optional<SizeUnit> unit_in_word(std::string_view word) {
   const std::size_t cut = word.find_last_of("=_");

@@ -5,10 +5,14 @@
 #include <mdm/gradation/size_unit.hpp>
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace mdm {
+
+/// The words of a line, behind the # that it may begin with.
+std::vector<std::string> words_behind_hash(std::string_view line);
 
 /// The unit of lengths that a word names, such as `mm`, `(um)`, `metres;` or `units=mm`.
 std::optional<SizeUnit> unit_in_word(std::string_view word);

@@ -40,9 +40,12 @@ private:
   }
 
   void read_names() {
-    has_radii_ = std::find(fields_.begin(), fields_.end(), "r") != fields_.end();
+    const auto has = [this](std::string_view name) {
+      return std::find(fields_.begin(), fields_.end(), name) != fields_.end();
+    };
+    has_radii_ = has("r");
     columns_ = {column("X"), column("Y"), column("Z"), column(has_radii_ ? "r" : "clump_type")};
-    if (has_radii_ && std::find(fields_.begin(), fields_.end(), "clump_type") != fields_.end())
+    if (has_radii_ && has("clump_type"))
       source_.refuse("there are columns r and clump_type, which both tell the radius: leave one out");
     width_ = fields_.size();
   }

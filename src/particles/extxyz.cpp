@@ -25,15 +25,10 @@ std::string_view take_item(std::string_view &rest) {
   return item;
 }
 
-bool starts_with_key(std::string_view item, std::string_view key) {
-  return item.size() >= key.size() && std::equal(key.begin(), key.end(), item.begin(),
-                                                 [](char a, char b) { return lower(a) == lower(b); });
-}
-
 /// The value behind a key, in letters of any case, and its `=` in a comment, without quotes around it.
 std::optional<std::string_view> value_of(std::string_view key, std::string_view comment) {
   for (std::string_view item = take_item(comment); !item.empty(); item = take_item(comment)) {
-    if (!starts_with_key(item, key))
+    if (!are_alike(item.substr(0, key.size()), key))
       continue;
     item.remove_prefix(key.size());
     const bool has_quotes = item.size() >= 2 && item.front() == '"' && item.back() == '"';

@@ -59,8 +59,10 @@ private:
     constexpr std::string_view word = "units";
     for (std::size_t at = title.find(word); at != std::string_view::npos; at = title.find(word, at + 1)) {
       const std::string_view rest = trimmed(title.substr(at + word.size()));
-      if (rest.starts_with('='))
-        take_units(trimmed(rest.substr(1)).substr(0, trimmed(rest.substr(1)).find_first_of(", \t")), source_);
+      if (!rest.starts_with('='))
+        continue;
+      const std::string_view style = trimmed(rest.substr(1));
+      take_units(style.substr(0, style.find_first_of(", \t")), source_);
     }
   }
 

@@ -178,12 +178,14 @@ private:
       return;
     }
     check_class();
-    const std::string &lo = fields_[*columns_.lo], &hi = fields_[*columns_.hi];
-    const bool is_open = lo.starts_with('>'); // as in canonical samples
-    const std::string least = lo.substr(is_open ? 1 : 0);
-    const std::string lower = is_open ? least : columns_.lower ? fields_[*columns_.lower] : "";
+    const std::string &hi = fields_[*columns_.hi], least = least_size();
+    const std::string lower = is_open() ? least : columns_.lower ? fields_[*columns_.lower] : "";
     source_.particle_between(least, hi, lower, n, sign_of(hi));
   }
+
+  /// True where sizes are above the least one: a > stands before it, as in canonical samples.
+  bool is_open() const { return fields_[*columns_.lo].starts_with('>'); }
+  std::string least_size() const { return fields_[*columns_.lo].substr(is_open() ? 1 : 0); }
 
   /// In a row of no particles the size may be empty.
   void check_unused() const {
@@ -195,8 +197,7 @@ private:
 
   /// The bounds of a size are within those of the row's class, as far as it has them.
   void check_class() const {
-    const std::string &hi = fields_[*columns_.hi];
-    const std::string lo = fields_[*columns_.lo].substr(fields_[*columns_.lo].starts_with('>') ? 1 : 0);
+    const std::string &hi = fields_[*columns_.hi], lo = least_size();
     const auto length = [this](const std::string &text) {
       return source_.number("size", text, sign_of(text));
     };

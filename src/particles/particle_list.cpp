@@ -22,7 +22,7 @@ public:
     if (words_.empty())
       return;
     if (words_.front().front() == '#')
-      comment();
+      comment(words_behind_hash(trimmed(text)));
     else
       row();
   }
@@ -31,7 +31,8 @@ public:
 
 protected:
   virtual void row() = 0;
-  virtual void comment() { check_unit(); }
+  /// \param words  behind the #, those of words_
+  virtual void comment(const std::vector<std::string> &words) = 0;
 
   /// A comment that names another unit than that of the sizes is not passed over, unless the user gave it.
   void check_unit() const {
@@ -41,15 +42,6 @@ protected:
       if (unit != *source_.unit())
         source_.refuse(fmt::format("the comment names {}, and sizes are taken in {}: say which it is with {}",
                                    name(unit), name(*source_.unit()), option("size-unit")));
-  }
-
-  /// The words of the comment behind its #.
-  std::vector<std::string> comment_words() const {
-    std::vector<std::string> words(words_.begin(), words_.end());
-    words.front().erase(0, words.front().find_first_not_of('#'));
-    if (words.front().empty())
-      words.erase(words.begin());
-    return words;
   }
 
   ParticleSource &source_;
@@ -70,8 +62,7 @@ public:
   }
 
 private:
-  void comment() override {
-    const std::vector<std::string> words = comment_words();
+  void comment(const std::vector<std::string> &words) override {
     if (words.size() == 1 && has_particle_column(words))
       source_.refuse(
           fmt::format("the comment names a column, {}: write the name without #", in_quotes(words.front())));
@@ -111,8 +102,7 @@ private:
 
   /// Models of mdm say so what their numbers are: `# x y z r in m; box 1 2 3`, or `...; box 1 2 3, repeated
   /// in x y z`.
-  void comment() override {
-    const std::vector<std::string> words = comment_words();
+  void comment(const std::vector<std::string> &words) override {
     const std::vector<std::string> ours = {"x", "y", "z", "r", "in"};
     if (words.size() > ours.size() && std::equal(ours.begin(), ours.end(), words.begin()))
       take_heading(words);

@@ -1,3 +1,4 @@
+#include "particles/comment_words.hpp"
 #include "particles/line_reader.hpp"
 #include "particles/particle_columns.hpp"
 #include "text/lines.hpp"
@@ -111,10 +112,9 @@ bool is_place_and_radius(std::string_view line) {
 
 /// Refuses numbers below a line that names columns of sizes: they are no x y z r.
 void refuse_spaced_table(const std::string &above, const ParticleSource &source) {
-  std::vector<std::string_view> words;
-  split_words(std::string_view(above).substr(std::min(above.find_first_not_of('#'), above.size())), words);
+  const std::vector<std::string> words = words_behind_hash(above);
   const bool is_place = !words.empty() && words.front() == "x";
-  if (!is_place && has_particle_column({words.begin(), words.end()}))
+  if (!is_place && has_particle_column(words))
     source.refuse(
         "the line above names columns that spaces separate: write commas or tabs between them, and one "
         "table alone");

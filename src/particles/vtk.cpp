@@ -24,7 +24,7 @@ public:
     split_words(text, words_);
     if (source_.line() == 1 && !text.starts_with("# vtk DataFile"))
       source_.refuse("the first line is not '# vtk DataFile Version': is it legacy VTK?");
-    if (source_.line() == 3 && (words_.size() != 1 || !is(words_[0], "ascii")))
+    if (source_.line() == 3 && (words_.size() != 1 || !are_alike(words_[0], "ascii")))
       source_.refuse("the file is not ASCII: write it as ASCII");
     if (source_.line() <= 3 || words_.empty())
       return;
@@ -55,34 +55,29 @@ public:
   }
 
 private:
-  /// The same word; keywords may be in either case.
-  static bool is(std::string_view word, std::string_view keyword) {
-    return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(),
-                      [](char a, char b) { return lower(a) == b; });
-  }
-
   std::optional<SizeMeaning> meaning(std::string_view array) const {
     if (const std::optional<std::string> &named = source_.options().size_column)
       return array == *named ? source_.options().meaning : std::nullopt;
-    if (is(array, "radius"))
+    if (are_alike(array, "radius"))
       return SizeMeaning::radius;
-    if (is(array, "diameter"))
+    if (are_alike(array, "diameter"))
       return SizeMeaning::diameter;
     return std::nullopt;
   }
 
   void read_keyword() {
     const std::string_view keyword = words_.front();
-    if (is(keyword, "dataset")) {
-      if (words_.size() != 2 || !(is(words_[1], "polydata") || is(words_[1], "unstructured_grid")))
+    if (are_alike(keyword, "dataset")) {
+      if (words_.size() != 2 ||
+          !(are_alike(words_[1], "polydata") || are_alike(words_[1], "unstructured_grid")))
         source_.refuse("the data set is not of points: write POLYDATA or UNSTRUCTURED_GRID");
-    } else if (is(keyword, "points")) {
+    } else if (are_alike(keyword, "points")) {
       begin_points();
-    } else if (is(keyword, "point_data")) {
+    } else if (are_alike(keyword, "point_data")) {
       begin_point_data();
-    } else if (is(keyword, "cell_data")) {
+    } else if (are_alike(keyword, "cell_data")) {
       data_ = Data::of_cells;
-    } else if (is(keyword, "scalars")) {
+    } else if (are_alike(keyword, "scalars")) {
       if (words_.size() >= 3)
         begin_array(words_[1], words_[2], words_.size() == 3 || (words_.size() == 4 && words_[3] == "1"));
     } else if (words_.size() == 4 && parse_count(words_[2])) {
@@ -118,11 +113,11 @@ private:
     const std::optional<SizeMeaning> of_sizes = meaning(array);
     // Printed floats may be too short to tell ids apart.
     const bool has_whole_numbers =
-        !is(type, "float") && !is(type, "double") && data_ == Data::of_points && is_single;
-    const bool is_id = is(array, "id") && has_whole_numbers;
+        !are_alike(type, "float") && !are_alike(type, "double") && data_ == Data::of_points && is_single;
+    const bool is_id = are_alike(array, "id") && has_whole_numbers;
     // A class is what mdm export calls it; a type may be another number.
     const bool is_class =
-        (is(array, "class") || (is(array, "type") && !has_named_classes_)) && has_whole_numbers;
+        (are_alike(array, "class") || (are_alike(array, "type") && !has_named_classes_)) && has_whole_numbers;
     if (!of_sizes && !is_id && !is_class)
       return;
     if (data_ == Data::of_cells) {
@@ -142,7 +137,7 @@ private:
     else if (is_id)
       begin_ids();
     else
-      begin_classes(is(array, "class"));
+      begin_classes(are_alike(array, "class"));
   }
 
   void begin_sizes(SizeMeaning meaning) {
@@ -175,7 +170,7 @@ private:
   }
 
   void read_values(std::string_view text) {
-    if (block_ != Block::points && is(words_.front(), "lookup_table") && missing_ == *points_)
+    if (block_ != Block::points && are_alike(words_.front(), "lookup_table") && missing_ == *points_)
       return;
     for (std::string_view word = take_word(text); !word.empty(); word = take_word(text)) {
       if (missing_ == 0)

@@ -57,10 +57,13 @@ std::vector<std::string> between_commas(std::string_view text) {
   return parts;
 }
 
+bool are_alike(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char one, char other) { return lower(one) == lower(other); });
+}
+
 bool is_pan(std::string_view text) {
-  constexpr std::string_view pan = "pan";
-  return std::equal(text.begin(), text.end(), pan.begin(), pan.end(),
-                    [](char a, char b) { return lower(a) == b; });
+  return are_alike(text, "pan");
 }
 
 bool Lines::next() {

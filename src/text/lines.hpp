@@ -31,6 +31,9 @@ std::string_view trimmed(std::string_view text);
 /// The parts of a text between commas, as they are.
 std::vector<std::string> between_commas(std::string_view text);
 
+/// True where both are the same but for the case of their letters.
+bool are_alike(std::string_view a, std::string_view b);
+
 /// True for `pan` in any case.
 bool is_pan(std::string_view text);
 
