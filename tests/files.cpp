@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -14,6 +15,11 @@ std::string read_file(const std::filesystem::path &path) {
   if (!file)
     throw std::runtime_error("cannot read " + path.string());
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+std::ptrdiff_t line_count(const std::filesystem::path &path) {
+  const std::string text = read_file(path);
+  return std::count(text.begin(), text.end(), '\n');
 }
 
 TemporaryFolder::TemporaryFolder() {

@@ -12,6 +12,9 @@ namespace mdm_test {
 
 std::string read_file(const std::filesystem::path &path);
 
+/// The number of lines that end in the file.
+std::ptrdiff_t line_count(const std::filesystem::path &path);
+
 /// A new folder that is gone with the object.
 class TemporaryFolder {
 public:

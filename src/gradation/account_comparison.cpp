@@ -101,6 +101,8 @@ private:
       return differ(a, b, *comparison.disagreement);
     const std::optional<std::string> below =
         comparison.whole ? difference_of_wholes(a, b, *comparison.whole) : difference_below(a, b);
+    if (const std::optional<std::string> rest = difference_of_rest(a, b))
+      return say(*rest);
     if (below)
       return say(*below);
     if (a != 0 && b != 0)
@@ -143,6 +145,21 @@ private:
       return std::nullopt;
     return fmt::format("{} passes the finest sieve by the column {}, {} by {}: {}", shown(first.below->value),
                        quoted(a), shown(second.below->value), quoted(b), remedy(first, second));
+  }
+
+  /// What passes the finest sieve by the masses in `a` and by the single shares in `b`.
+  std::optional<std::string> difference_of_rest(std::size_t a, std::size_t b) const {
+    const AccountColumn &masses = column(a), &shares = column(b);
+    const std::optional<PrintedNumber> sum = masses.whole();
+    if (!masses.adds_masses() || !shares.is_share() || !shares.is_retained() || !masses.below ||
+        !shares.below || !sum || sum->value <= sum->half)
+      return std::nullopt;
+    const Rational percent = 100 * masses.below->value / sum->value;
+    if (a_.loss.explains(*shares.below, {percent, 100 * masses.below->half / sum->value}, 100))
+      return std::nullopt;
+    return fmt::format("{} percent pass the finest sieve by the column {}, {} by {}: {}",
+                       shown(shares.below->value), quoted(b), shown_hundredths(percent), quoted(a),
+                       remedy(masses, shares));
   }
 
   /// The sum of the masses in `a`, which is `whole` by the shares in `b`.

@@ -4,6 +4,8 @@
 
 #include "text/source.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +30,14 @@ struct CellRow {
   /// The cell of that column; empty beyond the last.
   std::string_view cell(std::size_t column) const {
     return column < cells.size() ? std::string_view(cells[column]) : std::string_view();
+  }
+  /// The number of cells that have something in them.
+  std::ptrdiff_t filled() const {
+    return std::count_if(cells.begin(), cells.end(), [](const std::string &c) { return !c.empty(); });
+  }
+  /// The first of them.
+  std::string_view first() const {
+    return *std::find_if(cells.begin(), cells.end(), [](const std::string &c) { return !c.empty(); });
   }
 };
 

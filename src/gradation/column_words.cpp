@@ -49,7 +49,7 @@ constexpr std::array vocabulary = {
                         "designation nf une uni cnr"},
     RoleWords{retained, "retained ret"},
     RoleWords{retained | cumulative, "oversize coarser"},
-    RoleWords{passing, "passing pass passed finer undersize"},
+    RoleWords{passing, "passing pass passed finer undersize smaller less through thru under cpft"},
     RoleWords{cumulative, "cumulative cum cumul cumulated accumulated"},
     RoleWords{individual, "individual indiv ind partial"},
     RoleWords{whole, "total"},
@@ -70,7 +70,8 @@ constexpr std::array vocabulary = {
     RoleWords{retained, "rueckstand siebrueckstand rueckstaende rueckst"},
     RoleWords{retained | individual, "einzelrueckstand einzelrueckstaende teilrueckstand"},
     RoleWords{retained | cumulative, "rueckstandssumme summenrueckstand"},
-    RoleWords{passing, "durchgang durchgaenge siebdurchgang durchgangssumme summendurchgang"},
+    RoleWords{passing,
+              "durchgang durchgaenge durchg siebdurchgang siebdurchgaenge durchgangssumme summendurchgang"},
     RoleWords{cumulative, "kumuliert kumulierter kumulierte kumulativ kum"},
     RoleWords{individual, "einzeln einzelner"},
     RoleWords{mass, "masse gewicht massenanteil"},
@@ -137,6 +138,8 @@ constexpr std::array phrases = {
     Phrase{"q3", ColumnMeaning::passing},
     Phrase{"summe rueckstand", ColumnMeaning::cumulative},
     Phrase{"summe der rueckstaende", ColumnMeaning::cumulative},
+    Phrase{"summe der durchgaenge", ColumnMeaning::passing},
+    Phrase{"summe der siebdurchgaenge", ColumnMeaning::passing},
 };
 
 /// The roles of a word; 0 where it is not known.

@@ -207,7 +207,15 @@ bool holds_sizes(const HeaderMeaning &meaning) {
 }
 
 bool names_kilograms(std::string_view text) {
-  return has_any_word(kilograms, words_of(text));
+  const std::vector<std::string> words = words_of(text);
+  return std::any_of(words.begin(), words.end(), [](const std::string_view word) {
+    return has_word(kilograms, word.substr(std::min(word.find_first_not_of("0123456789"), word.size())));
+  });
+}
+
+bool names_other_mass(std::string_view text) {
+  return has_any_word("lb lbs pound pounds oz ounce ounces mg milligram milligrams tonne tonnes",
+                      words_of(text));
 }
 
 } // namespace mdm

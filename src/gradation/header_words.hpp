@@ -55,5 +55,7 @@ ColumnUnit unit_of_words(std::string_view words);
 
 /// True where a header or cell speaks of kilograms: other masses are in g.
 bool names_kilograms(std::string_view text);
+/// True where it speaks of pounds, ounces, milligrams or tonnes, which are not read.
+bool names_other_mass(std::string_view text);
 
 } // namespace mdm

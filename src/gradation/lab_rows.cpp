@@ -8,7 +8,7 @@
 #include "gradation/stated_numbers.hpp"
 #include "gradation/unread_columns.hpp"
 #include "gradation/unused_columns.hpp"
-#include "gradation/weighed_sieves.hpp"
+#include "gradation/words_of_rows.hpp"
 #include "text/lines.hpp"
 #include "text/option_name.hpp"
 
@@ -45,11 +45,6 @@ bool begins_with_sieve(std::string_view cell) {
          (is_digit(cell.front()) || cell.front() == '#' || plain_words(cell).starts_with("no "));
 }
 
-/// The row's first cell that has something in it.
-std::string_view first_cell(const CellRow &row) {
-  return *std::find_if(row.cells.begin(), row.cells.end(), [](const std::string &c) { return !c.empty(); });
-}
-
 bool is_zero(const NumberCell &number) {
   return number.digits.find_first_of("123456789") == std::string_view::npos;
 }
@@ -57,21 +52,6 @@ bool is_zero(const NumberCell &number) {
 bool has_number(const CellRow &row) {
   return std::any_of(row.cells.begin(), row.cells.end(),
                      [](const std::string &cell) { return number_cell(cell).has_value(); });
-}
-
-std::string first_word(std::string_view cell) {
-  const std::string words = plain_words(cell);
-  return words.substr(0, words.find(' '));
-}
-
-/// `Sample B`, `BH 2`.
-bool names_sample(std::string_view cell) {
-  return names_samples(first_word(cell));
-}
-
-/// `Page 2`, where a long table goes on.
-bool names_page(std::string_view cell) {
-  return has_word("page seite pagina hoja folio", first_word(cell));
 }
 
 /// True for what has a row in the table; other masses stand beside it.
@@ -125,7 +105,7 @@ private:
   std::string_view size_cell() const { return row().cell(columns_.size); }
   std::string_view value_cell() const { return row().cell(columns_.value); }
   [[noreturn]] void refuse(const std::string &what) const { source_.refuse(row().line, what); }
-  void leave() { read_.left.add(first_cell(row())); }
+  void leave() { read_.left.add(row().first()); }
 
   /// What is wrong with a cell is wrong in its line.
   template <typename Action>
@@ -191,8 +171,7 @@ private:
     beside_.go_on(next->further);
     row_ = next->first_row - 1;
     below_gap_ = false;
-    words_below_.clear();
-    words_among_ = nullptr;
+    words_ = WordsOfRows();
     return true;
   }
 
@@ -209,15 +188,8 @@ private:
                          "the first, which mdm convert {} joins: leave one of them out, or its header if it "
                          "is the same stack",
                          option("split", OptionSpelling::program)));
-    const bool are_of_others =
-        std::any_of(words_below_.begin(), words_below_.end(), [](const std::string &words) {
-          return speaks_of_sample(words) || speaks_of_splitting(words) || speaks_of_part(words);
-        });
-    const std::string words = words_among_ != nullptr && !names_page(first_cell(*words_among_))
-                                  ? std::string(first_cell(*words_among_))
-                              : words_below_.empty() ? ""
-                                                     : words_below_.back();
-    if (!words.empty() && (are_retained || are_of_others))
+    const std::string_view words = words_.between_tables();
+    if (!words.empty() && (are_retained || words_.are_of_others()))
       refuse(fmt::format(
           "a second table begins below {}: it may be of another sample, or of a part of the first, which "
           "mdm convert {} joins: leave one of them out, or the words between them",
@@ -263,28 +235,28 @@ private:
       return true;
     }
     if (known.meaning == RowMeaning::container && are_retained && number_cell(value_cell()) &&
-        (!below_gap_ || !speaks_of_mass(first_cell(row()))))
+        (!below_gap_ || !speaks_of_mass(row().first())))
       refuse(fmt::format("{} may be the pan, or a container that was weighed: write Pan for what passed the "
                          "finest sieve, else leave the row out",
-                         in_quotes(first_cell(row()))));
+                         in_quotes(row().first())));
     if (known.meaning == RowMeaning::moist_mass && !below_gap_ && number_cell(value_cell()) &&
-        !speaks_of_mass(first_cell(row())))
+        !speaks_of_mass(row().first()))
       refuse(fmt::format(
           "{} may be a row of the table, or a moist mass: write the sieve, Pan or Wash loss, or Moist mass",
-          in_quotes(first_cell(row()))));
+          in_quotes(row().first())));
     if (known.meaning == RowMeaning::pan && !below_gap_ && are_retained)
       in_line([this] { chosen_.refuse(value_cell()); });
     const std::size_t before = statements_.size();
     add_statements(row(), nullptr, statements_);
     if (belongs_to_table(known.meaning) && known.meaning != RowMeaning::total && !below_gap_ &&
         statements_.size() > before && has_number_beside())
-      refuse(fmt::format("the row {} has no value in the column {}: write it, or 0",
-                         in_quotes(first_cell(row())), in_quotes(columns_.value_name)));
+      refuse(fmt::format("the row {} has no value in the column {}: write it, or 0", in_quotes(row().first()),
+                         in_quotes(columns_.value_name)));
     if (known.meaning == RowMeaning::passing && below_gap_)
-      words_below_.emplace_back(first_cell(row()));
+      words_.add_below(row());
     else if (known.meaning == RowMeaning::passing && statements_.size() == before &&
              !read_.table.sizes.empty())
-      words_among_ = &row();
+      words_.add_among(row());
     if (statements_.size() == before || known.meaning == RowMeaning::moist_mass)
       leave();
     return true;
@@ -292,7 +264,7 @@ private:
 
   /// The words of a row that is no sieve: those of its first cell, or of the cell of its size.
   RowWords words() const {
-    for (const std::string_view cell : {first_cell(row()), size_cell()})
+    for (const std::string_view cell : {row().first(), size_cell()})
       if (!begins_with_sieve(cell))
         if (const RowWords known = row_words(cell); known.meaning != RowMeaning::none)
           return is_beside_sieve(known, cell) ? RowWords{} : known;
@@ -311,13 +283,13 @@ private:
   }
 
   void add_account(const RowWords &known) {
-    check_words_among();
+    words_.check_among(source_);
     check_width();
     unused_.check_unit(row());
     unused_.check_account(row(), sieves_);
     check_words_beside();
     check_mass_unit();
-    AccountRow account{known.meaning, 0, false, std::string(first_cell(row())), row().line, {}};
+    AccountRow account{known.meaning, 0, false, std::string(row().first()), row().line, {}};
     in_line([&] {
       if (!known.sieve.empty()) {
         account.size = sizes_.named(known.sieve);
@@ -334,20 +306,22 @@ private:
 
   /// A label may name another unit of mass than the column.
   void check_mass_unit() const {
-    const unsigned here = grams_in(first_cell(row()));
+    const unsigned here = grams_in(row().first());
     const bool is_mass =
         chosen_.meaning().unit == ColumnUnit::mass || chosen_.meaning().unit == ColumnUnit::none;
-    if (here != 0 && is_mass && here != std::max(columns_.grams, 1U))
+    const bool is_other =
+        names_other_mass(row().first()) || (here != 0 && here != std::max(columns_.grams, 1U));
+    if (is_mass && is_other)
       refuse(fmt::format("{} is in another unit of mass than the column {}: write all alike",
-                         in_quotes(first_cell(row())), in_quotes(columns_.value_name)));
-    if (is_mass && unit_in_header(first_cell(row())) == ColumnUnit::percent)
+                         in_quotes(row().first()), in_quotes(columns_.value_name)));
+    if (is_mass && unit_in_header(row().first()) == ColumnUnit::percent)
       refuse(fmt::format("{} is a percentage, and the column {} has masses: write the mass",
-                         in_quotes(first_cell(row())), in_quotes(columns_.value_name)));
+                         in_quotes(row().first()), in_quotes(columns_.value_name)));
   }
 
   void note_hidden() {
     if (row().is_hidden)
-      read_.hidden.add(first_cell(row()));
+      read_.hidden.add(row().first());
   }
 
   // ---- words
@@ -367,24 +341,24 @@ private:
       return false;
     if (!below_gap_ ? is_size || !value_cell().empty() : sizes_.is_size(size_cell()) && !value_cell().empty())
       return false;
-    if (!below_gap_ && has_number_beside() && !names_index(first_cell(row())))
+    if (!below_gap_ && has_number_beside() && !names_index(row().first()))
       refuse(
           fmt::format("the row {} has numbers and no value in the column {}: write it, or leave the row out",
-                      in_quotes(first_cell(row())), in_quotes(columns_.value_name)));
+                      in_quotes(row().first()), in_quotes(columns_.value_name)));
     if (below_gap_ && is_row_beside())
       refuse(fmt::format(
           "{} begins a row beside the columns {} and {}: write all rows of the table below each other",
-          in_quotes(first_cell(row())), in_quotes(columns_.size_name), in_quotes(columns_.value_name)));
+          in_quotes(row().first()), in_quotes(columns_.size_name), in_quotes(columns_.value_name)));
     if (below_gap_ && number_cell(value_cell()) && !is_remark_with_number())
       refuse(fmt::format(
           "{} has {} in the column {}, and may be a sieve or what passed the finest one: write the "
           "sieve's size or Pan, else leave the row out",
           in_quotes(first_words()), in_quotes(value_cell()), in_quotes(columns_.value_name)));
     add_statements(row(), nullptr, statements_);
-    if (below_gap_ || (!read_.table.sizes.empty() && names_sample(first_cell(row()))))
-      words_below_.emplace_back(first_cell(row()));
+    if (below_gap_ || (!read_.table.sizes.empty() && names_sample(row().first())))
+      words_.add_below(row());
     else if (!read_.table.sizes.empty())
-      words_among_ = &row();
+      words_.add_among(row());
     leave();
     return true;
   }
@@ -418,8 +392,7 @@ private:
 
   /// The sum of all rows without a label.
   bool is_sum_alone() const {
-    const std::vector<std::string> &cells = row().cells;
-    if (std::count_if(cells.begin(), cells.end(), [](const std::string &c) { return !c.empty(); }) != 1)
+    if (row().filled() != 1)
       return false;
     Rational sum = std::accumulate(read_.table.values.begin(), read_.table.values.end(), Rational(0));
     for (const AccountRow &account : read_.accounts)
@@ -437,16 +410,6 @@ private:
     return sizes_.is_size(*first) && size_cell().empty() && value_cell().empty() &&
            std::any_of(first + 1, cells.end(),
                        [](const std::string &c) { return number_cell(c).has_value(); });
-  }
-
-  /// Words that another row of the table follows may head a part of it, or be a sieve that is not known.
-  void check_words_among() const {
-    if (words_among_ != nullptr)
-      source_.refuse(
-          words_among_->line,
-          fmt::format("{} is among the rows of the table, and is no sieve, pan, loss or total: write "
-                      "it above or below the table, or leave it out",
-                      in_quotes(first_cell(*words_among_))));
   }
 
   /// What was washed through a coarser sieve than the finest need not pass that.
@@ -473,14 +436,11 @@ private:
     Table &table = read_.table;
     if (table.sizes.size() == max_gradation_rows)
       refuse(fmt::format("there are more than {} rows: give fewer sieves", max_gradation_rows));
-    if (!words_below_.empty())
-      refuse(fmt::format(
-          "the row of {} is below {}, which may begin another table: leave out what is none of the "
-          "curve",
-          in_quotes(size_cell()), in_quotes(words_below_.back())));
-    check_words_among();
+    words_.check_sieve(row(), size_cell(), source_);
+    words_.check_among(source_);
     check_width();
     unused_.check_sieve(row(), read_.table.sizes.size(), beside_.all().empty());
+    check_statements_beside();
     unused_.check_unit(row());
     if (cells_.delimiter == ',')
       check_commas(row(), columns_, source_);
@@ -518,8 +478,26 @@ private:
     for (const std::string &cell : beside_columns(row(), columns_).cells) {
       if (!is_label && UnusedColumns::names_mass(cell))
         refuse(fmt::format("{} is beside the row {} and is not read: write it above or below the table",
-                           in_quotes(cell), in_quotes(first_cell(row()))));
+                           in_quotes(cell), in_quotes(row().first())));
       is_label = is_label && cell.empty() && size_cell().empty();
+    }
+  }
+
+  /// The same beside a sieve, where a number stands behind the words or among them.
+  void check_statements_beside() const {
+    if (reading_.columns)
+      return;
+    const CellRow beside = beside_columns(row(), columns_);
+    for (std::size_t i = 0; i < beside.cells.size(); ++i) {
+      if (beside.cells[i].empty() || number_cell(beside.cells[i]))
+        continue;
+      std::vector<MassStatement> statements;
+      add_statements({row().line, false, {beside.cells[i], std::string(beside.cell(i + 1))}}, nullptr,
+                     statements);
+      for (const MassStatement &s : statements)
+        if (s.is_sentence || UnusedColumns::names_mass(s.label))
+          refuse(fmt::format("{} is beside the row {} and is not read: write it above or below the table",
+                             in_quotes(s.label), in_quotes(size_cell())));
     }
   }
 
@@ -536,8 +514,7 @@ private:
   LabRows read_;
   std::size_t row_ = 0;
   bool below_gap_ = false;
-  std::vector<std::string> words_below_; ///< of rows below a gap that are none of the table, or name a sample
-  const CellRow *words_among_ = nullptr; ///< the last row of words behind a sieve, with no gap above it
+  WordsOfRows words_;
   std::vector<const CellRow *> sieves_;
 };
 

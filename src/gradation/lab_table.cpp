@@ -31,8 +31,6 @@ void describe_columns(Table &table, const TableColumns &columns, const std::stri
   table.is_canonical = false;
   table.notes.insert(table.notes.begin(), fmt::format("Read as {}: sizes from {}; masses from {}.",
                                                       table.format, table.sizes_from, table.masses_from));
-  if (columns.sizes.unit == ColumnUnit::inch)
-    table.notes.emplace_back("Sizes in inches were converted to mm.");
 }
 
 /// Columns, cells and rows that were not read, or not as they are shown.

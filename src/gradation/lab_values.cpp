@@ -25,6 +25,16 @@ void check_percent(const Table &table, const LabValues &values, const Reading &r
                               in_quotes(values.header), shown(largest), option("kind")));
 }
 
+/// Cumulative percent that all are at most 1 may be fractions.
+void check_cumulative_percent(const Table &table, const LabValues &values, const Source &source) {
+  const Rational largest = *std::max_element(table.values.begin(), table.values.end());
+  if (largest > 0 && largest <= 1)
+    source.refuse(table.header_line,
+                  fmt::format("the column {} has nothing above {}, and may be percent or fractions: write "
+                              "percent, or say {} cumulative_retained_percent",
+                              in_quotes(values.header), shown(largest), option("kind")));
+}
+
 /// What each sieve retains, from cumulative masses.
 void take_differences(Table &table, const Reading &reading, const Source &source) {
   if (reading.round)
@@ -116,6 +126,8 @@ void settle_lab_values(Table &table, const LabValues &values, const Reading &rea
     take_differences(table, reading, source);
   else if (unit == ColumnUnit::none && meaning != ColumnMeaning::retained)
     check_percent(table, values, reading, source);
+  else if (unit == ColumnUnit::percent && meaning == ColumnMeaning::cumulative && !reading.kind)
+    check_cumulative_percent(table, values, source);
   table.column = find_mass_column(is_cumulative_mass ? "mass" : column_name(values.meaning));
   if (table.column->form == MassForm::retained) {
     if (table.column->full != 0)

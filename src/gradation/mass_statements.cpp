@@ -40,6 +40,13 @@ bool are_thousands(std::string_view label, std::string_view behind) {
          (label.size() == 1 || label[label.find_last_not_of("0123456789")] == ' ');
 }
 
+/// True for a number that may be the decimals of that in the cell before it, or its thousands.
+bool may_go_on(const NumberCell &number) {
+  constexpr std::size_t thousand = 3;
+  const std::size_t digits = number.digits.find_first_not_of("0123456789");
+  return number.unit != ColumnUnit::percent && (digits == std::string_view::npos || digits == thousand);
+}
+
 /// The digits of the last whole number in a text. \pre it has a digit
 std::string_view last_digits(std::string_view text) {
   const std::size_t last = text.find_last_of("0123456789");
@@ -74,6 +81,7 @@ bool must_be_read(std::string_view label) {
   case RowMeaning::initial_mass:
   case RowMeaning::sieved_mass:
   case RowMeaning::washed_mass:
+  case RowMeaning::washed_with_container:
   case RowMeaning::sieve_loss:
     return true;
   default:
@@ -148,10 +156,16 @@ private:
     if (cell.empty())
       return;
     if (const std::optional<NumberCell> number = number_cell(cell)) {
-      if (!label_.empty())
+      if (stated_ && stated_at_ + 1 == i && must_be_read(label_) && may_go_on(*number))
+        statements_.back().further_digits = number->digits;
+      else if (!label_.empty())
         state(*number, cell, row_, i);
       else if (!loose_)
         loose_ = i;
+      return;
+    }
+    if (stated_ && !statements_.empty() && names_other_mass(cell) && words_of(cell).size() == 1) {
+      statements_.back().label += " (" + std::string(cell) + ")";
       return;
     }
     if (unit_of_words(cell) != ColumnUnit::none && !label_.empty()) {
@@ -238,6 +252,7 @@ private:
     give_unit(s);
     statements_.push_back(std::move(s));
     stated_ = true;
+    stated_at_ = column;
   }
 
   void give_unit(MassStatement &s) const {
@@ -284,6 +299,7 @@ private:
   std::vector<MassStatement> &statements_;
   std::string_view label_, unit_;
   bool stated_ = false;              ///< the label has its number
+  std::size_t stated_at_ = 0;        ///< its column
   std::optional<std::size_t> loose_; ///< column of the first number without a label before it
 };
 

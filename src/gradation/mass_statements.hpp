@@ -12,7 +12,8 @@ namespace mdm {
 struct MassStatement {
   RowMeaning meaning;
   std::string label;
-  std::string digits; ///< of its number
+  std::string digits;              ///< of its number
+  std::string further_digits = {}; ///< of a number right behind it, which may belong to it
   bool is_percent = false;
   bool is_text = false;     ///< of a workbook: a text, not stored as a number
   bool is_sentence = false; ///< the number stands among words, and is not read

@@ -11,6 +11,16 @@ namespace mdm {
 bool speaks_of_number_shares(std::string_view text) {
   const std::vector<std::string> words = words_of(text);
   const auto have = [&words](std::string_view list) { return has_any_word(list, words); };
+  const auto have_two = [&words](std::string_view first, std::string_view second) {
+    for (std::size_t i = 0; i + 1 < words.size(); ++i)
+      if (has_word(first, words[i]) && has_word(second, words[i + 1]))
+        return true;
+    return false;
+  };
+  constexpr std::string_view kinds = "number count population intensity anzahl nombre numero area";
+  if (have("anzahlverteilung anzahlsummenverteilung q0") || have_two("pebble", "count counts") ||
+      have_two("by", kinds) || have_two(kinds, "distribution distributions percent weighted"))
+    return true;
   return have("number anzahl nombre numero") &&
          have("distribution distributions distribucion distribuzione weighted weighting basis base "
               "anzahlverteilung verteilung");
@@ -42,9 +52,7 @@ std::string other_shares_in(const CellRow &row, std::size_t column) {
   const std::size_t sign = cell.find_last_of(":=");
   if (sign != std::string_view::npos && states_other_shares(cell.substr(0, sign), cell.substr(sign + 1)))
     return in_quotes(cell);
-  const auto filled =
-      std::count_if(row.cells.begin(), row.cells.end(), [](const std::string &c) { return !c.empty(); });
-  return filled == 2 && states_other_shares(cell, next) ? in_quotes(cell) + " " + in_quotes(next) : "";
+  return row.filled() == 2 && states_other_shares(cell, next) ? in_quotes(cell) + " " + in_quotes(next) : "";
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "gradation/phi.hpp"
 #include "gradation/plain_words.hpp"
 #include "gradation/shown.hpp"
+#include "gradation/sieve_name.hpp"
 #include "gradation/sieve_spelling.hpp"
 #include "gradation/unit_break.hpp"
 #include "text/lines.hpp"
@@ -59,6 +60,12 @@ bool tells_other_series(std::string_view line) {
          has_any_word("sieve sieves mesh screen screens scale series tamis", words);
 }
 
+/// `3/4`, `1-1/2`.
+bool is_fraction(std::string_view cell) {
+  return cell.find('/') != std::string_view::npos &&
+         cell.find_first_not_of("0123456789/ -") == std::string_view::npos;
+}
+
 /// Sieves whose order breaks as where mm become um without a word.
 void check_unit_break(const std::vector<Rational> &sizes, const std::vector<std::size_t> &lines,
                       const TableColumns &columns, const Source &source) {
@@ -81,6 +88,11 @@ RowSizes::RowSizes(const Cells &cells, const TableColumns &columns, const Readin
     for (const std::string &cell : cells.rows[i].cells)
       if (tells_other_series(cell))
         series_ = cell;
+  for (std::size_t i = columns.first_row; i < cells.rows.size() && columns.sizes.unit == ColumnUnit::inch;
+       ++i) {
+    const std::string_view cell = cells.rows[i].cell(columns.size);
+    names_inches_ |= is_fraction(cell) || is_numbered(cell);
+  }
 }
 
 std::string RowSizes::file_unit() const {
@@ -124,6 +136,10 @@ void RowSizes::settle(Table &table, bool are_retained, const Source &source) con
                   fmt::format("the column {} is in mm, and its sizes are those of sieves in um: say {} mm "
                               "if they are mm, else correct the header",
                               in_quotes(columns_.size_name), option("unit")));
+  if (columns_.sizes.unit == ColumnUnit::inch)
+    table.notes.emplace_back(
+        names_inches_ ? "Sizes in inches are the openings of ASTM's sieves of that name: 1 in is 25 mm."
+                      : "Sizes in inches were converted to mm.");
   ranges_.settle(table, are_retained, source);
 }
 
@@ -153,9 +169,7 @@ Rational RowSizes::row_size(std::string_view cell) {
 Rational RowSizes::size_of(std::string_view cell, ColumnUnit unit) const {
   if (const std::optional<std::string_view> digits = plain_digits(cell))
     return unit == ColumnUnit::none ? plain_size(*digits) : in_unit(*digits, unit);
-  const bool is_fraction = cell.find('/') != std::string_view::npos &&
-                           cell.find_first_not_of("0123456789/ -") == std::string_view::npos;
-  if (is_fraction && columns_.sizes.unit == ColumnUnit::inch)
+  if (is_fraction(cell) && columns_.sizes.unit == ColumnUnit::inch)
     return opening(std::string(cell) + " in");
   try {
     return opening(cell);
@@ -177,6 +191,9 @@ Rational RowSizes::plain_size(std::string_view digits) const {
         fmt::format("the size {} has no unit, and neither has the column {}: say it with {} mm (um, m, "
                     "in, phi)",
                     in_quotes(digits), in_quotes(columns_.size_name), option("unit")));
+  if (names_inches_ && unit == ColumnUnit::inch)
+    if (const std::optional<std::string> name = astm_inch_name(sign_.decimal(digits)))
+      return opening(*name);
   if (unit != ColumnUnit::phi)
     return in_unit(digits, unit);
   const Rational phi = sign_.decimal(digits);

@@ -52,6 +52,7 @@ private:
   std::size_t rows_ = 0;
   SizeRanges ranges_;
   bool has_own_unit_ = false;
+  bool names_inches_ = false;           ///< in a column of inches some sieves are named: 3/4, No. 4
   std::vector<std::size_t> plain_rows_; ///< below the first unit, with sizes that are numbers alone ...
   std::vector<Rational> plain_sizes_;   ///< ... and these numbers
 };

@@ -17,7 +17,8 @@ constexpr std::string_view pan =
     "pan bottom schale bodenschale auffangschale siebboden blindboden boden fond fondo receiver "
     "auffanggefaess bandeja charola cazoleta receptor fondello";
 constexpr std::string_view washing =
-    "auswaschverlust wash washing washed washings washout waschen gewaschen waschverlust ausgewaschen "
+    "auswaschverlust wash rinse rinsed rinsing ausgespuelt ausgespueltes spuelverlust decant washing washed "
+    "washings washout waschen gewaschen waschverlust ausgewaschen "
     "ausgewaschenes "
     "auswaschung abschlaemmen abschlaemmbar abschlaemmbares abschlaemmbare abgeschlaemmt abgeschlaemmtes "
     "abschlaemmung schlaemmen schlaemmverlust schlaemmanteil decanted decantation elutriation elutriated "
@@ -31,7 +32,8 @@ constexpr std::string_view washed =
 constexpr std::string_view stayed = "residue retained rest collected on over rueckstand";
 /// Words beside washing that say that its number is what went.
 constexpr std::string_view gone =
-    "loss losses lost verlust waschverlust auswaschverlust eliminees elimines eliminado eliminados eliminada "
+    "loss losses lost verlust spuelverlust ausgespuelt ausgespueltes waschverlust auswaschverlust eliminees "
+    "elimines eliminado eliminados eliminada "
     "eliminati eliminate rimossi asportati schlaemmverlust schlaemmanteil ausgewaschen ausgewaschenes "
     "auswaschung abschlaemmbar abschlaemmbares abschlaemmbare abgeschlaemmt abgeschlaemmtes abschlaemmung "
     "away perte "
@@ -43,7 +45,7 @@ constexpr std::string_view loss =
 constexpr std::string_view total = "total totals sum summe gesamt gesamtmasse gesamtsumme somme suma totale "
                                    "somma totales sumatoria";
 constexpr std::string_view initial =
-    "initial original starting anfangsmasse ausgangsmasse einwaage initiale inicial iniziale";
+    "initial original starting anfangsmasse ausgangsmasse einwaage gesamteinwaage initiale inicial iniziale";
 constexpr std::string_view before = "before vor avant antes prima";
 constexpr std::string_view after = "after nach apres despues dopo";
 constexpr std::string_view dry = "dry dried oven ovendry trocken trockene trockenmasse trockengewicht "
@@ -67,7 +69,8 @@ constexpr std::string_view container =
 constexpr std::string_view moist =
     "moist wet damp feucht feuchte feuchtmasse nass humide humeda humedo umida umido bulk";
 constexpr std::string_view splitting =
-    "multiplied multiply multipliziert split splits splitting aliquot aliquots aliquota aliquote quarter "
+    "multiplied multiply multipliziert halved halbiert split splits splitting aliquot aliquots aliquota "
+    "aliquote quarter "
     "quarters tenth subsample subsamples "
     "subsampled riffle riffled riffling riffler quartered "
     "quartering "
@@ -87,7 +90,7 @@ constexpr std::string_view filler =
     "the of in on to by a at an and und et y e con mit plus than as als used taken is from im der die das "
     "des dem "
     "de du da la le les l al au aux par por per del della nel nello nella en que collected residue retained "
-    "rest material materials matter p m g gr gram grams kg percent mm um u inch no nr n sieve sieb siebs "
+    "rest material materials matter p m g gr gram grams kg lbs percent mm um u inch no nr n sieve sieb siebs "
     "tamis "
     "tamiz malla setaccio vaglio mesh test us through over ";
 
@@ -121,7 +124,8 @@ public:
       return i + 1 < all_.size() && is_digit(all_[i].front()) && has_word("g gr gram grams kg", all_[i + 1]);
     };
     for (std::size_t i = 0; i < all_.size(); ++i)
-      if (is_mass(i) && is_mass(i + 3) && has_word("of from von aus de sur di su", all_[i + 2]))
+      if (is_mass(i) && ((is_mass(i + 3) && has_word("of from von aus de sur di su", all_[i + 2])) ||
+                         (is_mass(i + 4) && all_[i + 2] == "out" && all_[i + 3] == "of")))
         return true;
     return false;
   }
@@ -131,8 +135,10 @@ public:
     return have("fraction fractions fraccion portion minus fine fines finos fins") &&
            have("sieved tested taken ensayada ensayado essayee tamisee");
   }
-  /// `Fine factor`, `Ratio total/sieved`.
+  /// `Fine factor`, `Ratio total/sieved`, `Factor = 8`.
   bool have_factor_of_part() const {
+    if (all_.size() == 2 && has_word("factor faktor facteur fattore", all_[0]) && is_digit(all_[1].front()))
+      return true;
     return have("factor faktor facteur fattore ratio multiplier") &&
            have("fine fines sieved fein fins finos portion fraction corrected");
   }
@@ -191,14 +197,25 @@ bool has_sign_of_passing(std::string_view text) {
   return false;
 }
 
+/// What is weighed in a container, or that alone.
+RowMeaning of_container(const Words &words) {
+  if (words.have(pan) || words.have(moist))
+    return RowMeaning::none;
+  const bool washes = words.have(washing) && !words.have(before);
+  if ((words.have(after) && !washes) || (washes && words.have(gone)))
+    return RowMeaning::none;
+  if (words.have(dry) || words.have("sample soil material"))
+    return washes ? RowMeaning::washed_with_container : RowMeaning::with_container;
+  const bool is_name = words.have("no nr n") && !words.have(mass);
+  return washes || is_name ? RowMeaning::none : RowMeaning::container;
+}
+
 RowMeaning meaning_of(const Words &words, bool passes) {
   const bool washes = words.have(washing), dries = words.have(dry), weighs = words.have(mass);
+  if (words.have(container))
+    return of_container(words);
   if (words.have(after))
     return washes ? RowMeaning::washed_mass : words.have(sieving) ? RowMeaning::total : RowMeaning::none;
-  if (words.have(container))
-    return words.have(pan) || words.have(moist)          ? RowMeaning::none
-           : dries || words.have("sample soil material") ? RowMeaning::with_container
-                                                         : RowMeaning::container;
   if (words.have(before))
     return washes                ? RowMeaning::initial_mass
            : words.have(sieving) ? RowMeaning::sieved_mass
@@ -252,8 +269,8 @@ RowWords row_words(std::string_view label) {
 bool speaks_of_washing(std::string_view text) {
   const std::string plain = plain_words(text);
   for (const std::string_view stem :
-       {"wash", "wasch", "schlaemm", "lavag", "lavad", "lavat", "decant", "nasssieb", "nassabtrenn",
-        "wet siev", "voie humide", "via humeda", "via umida"})
+       {"wash", "wasch", "schlaemm", "lavag", "lavad", "lavat", "decant", "nasssieb", "nassabtrenn", "rins",
+        "spuel", "elutriat", "slime", "wet siev", "voie humide", "via humeda", "via umida"})
     if (plain.find(stem) != std::string::npos)
       return true;
   return false;

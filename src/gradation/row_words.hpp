@@ -9,18 +9,19 @@ namespace mdm {
 
 /// What a number beside such words is.
 enum class RowMeaning {
-  none,           ///< the words are not known, or mean more than one thing
-  pan,            ///< what fell into the pan
-  wash_loss,      ///< what was washed out before sieving
-  pan_and_wash,   ///< both
-  passing,        ///< what passes the sieve that is named, in whichever way
-  total,          ///< of the rows
-  initial_mass,   ///< dry, before washing
-  sieved_mass,    ///< dry, before sieving: of a washed sample without what was washed out
-  washed_mass,    ///< dry, after washing
-  sieve_loss,     ///< what was lost in sieving
-  container,      ///< empty
-  with_container, ///< the dry sample in its container
+  none,                  ///< the words are not known, or mean more than one thing
+  pan,                   ///< what fell into the pan
+  wash_loss,             ///< what was washed out before sieving
+  pan_and_wash,          ///< both
+  passing,               ///< what passes the sieve that is named, in whichever way
+  total,                 ///< of the rows
+  initial_mass,          ///< dry, before washing
+  sieved_mass,           ///< dry, before sieving: of a washed sample without what was washed out
+  washed_mass,           ///< dry, after washing
+  sieve_loss,            ///< what was lost in sieving
+  container,             ///< empty
+  with_container,        ///< the dry sample in its container
+  washed_with_container, ///< the same, after washing
   moist_mass
 };
 

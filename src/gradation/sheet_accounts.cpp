@@ -103,9 +103,20 @@ private:
       last = row.numbers[c];
       has_row = true;
     }
+    if (a_.columns[c].is_share() && has_row)
+      check_end(c, *last);
     if (a_.columns[c].is_share())
       return above ? std::optional(PrintedNumber{100, 0} - *above) : std::nullopt;
     return has_row && above ? std::optional(*last - *above) : std::nullopt;
+  }
+
+  /// The last row of a cumulative share is the whole.
+  void check_end(std::size_t c, const PrintedNumber &last) const {
+    if (!a_.is_asked && !a_.loss.explains(last, {100, 0}, 100))
+      source_.refuse(a_.header_line,
+                     fmt::format("the column {} is cumulative and ends at {} percent: correct "
+                                 "it, or leave the column out",
+                                 in_quotes(a_.columns[c].header), shown(last.value)));
   }
 
   static bool is_below_sieves(const AccountRow &row) {

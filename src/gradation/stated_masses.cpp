@@ -84,6 +84,8 @@ private:
       return &container_;
     case RowMeaning::with_container:
       return &with_container_;
+    case RowMeaning::washed_with_container:
+      return &washed_with_container_;
     default:
       return nullptr;
     }
@@ -141,6 +143,15 @@ private:
   void take_container() {
     if (container_ && with_container_ && !masses_.initial)
       masses_.initial = with_mass(*with_container_, with_container_->mass - container_->mass);
+    if (!washed_with_container_ || masses_.washed)
+      return;
+    if (!container_)
+      source_.refuse(
+          washed_with_container_->line,
+          fmt::format("{} has the mass of its container, which is not given: write 'Dry mass after "
+                      "wash' without it, or the row 'Tare'",
+                      in_quotes(washed_with_container_->label)));
+    masses_.washed = with_mass(*washed_with_container_, washed_with_container_->mass - container_->mass);
   }
 
   /// What was washed out is the difference of two masses, or a percentage of the first.
@@ -171,7 +182,7 @@ private:
   const AccountColumn &chosen_;
   const Source &source_;
   StatedMasses masses_;
-  std::optional<StatedMass> container_, with_container_;
+  std::optional<StatedMass> container_, with_container_, washed_with_container_;
 };
 
 } // namespace

@@ -80,6 +80,14 @@ std::vector<StatedNumber> stated_numbers(const std::vector<MassStatement> &state
   std::vector<StatedNumber> numbers;
   for (const MassStatement &s : statements) {
     check_outside(s, source);
+    if (s.meaning != RowMeaning::none && names_other_mass(s.label))
+      source.refuse(s.line, fmt::format("{} is in a unit of mass that is not read: write it in g or kg",
+                                        in_quotes(s.label)));
+    if (!s.further_digits.empty())
+      source.refuse(s.line,
+                    fmt::format("{} has the numbers {} and {}, which may be one: write it without a "
+                                "comma, or leave one out",
+                                in_quotes(s.label), in_quotes(s.digits), in_quotes(s.further_digits)));
     if (may_pass_finest(s) && !s.is_percent && s.line < header_line)
       left.add(s.label);
     try {

@@ -17,7 +17,7 @@ void check_words_of_splitting(const OrderedAccounts &accounts, const std::vector
   if (accounts.columns[compared.deciding].is_share() || accounts.stated.initial || compared.some_agree)
     return;
   for (const StatedNumber &number : stated)
-    if (const MassStatement &s = number.statement; speaks_of_splitting(s.label))
+    if (const MassStatement &s = number.statement; speaks_of_splitting(s.label + " " + s.digits))
       source.refuse(s.line,
                     fmt::format("{} may be of a part of the sample: {}", in_quotes(s.label), split_remedy()));
 }

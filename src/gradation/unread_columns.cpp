@@ -49,14 +49,27 @@ bool may_be(ColumnMeaning meaning, const AccountColumn &unread) {
   return std::is_sorted(numbers.begin(), numbers.end());
 }
 
-bool agrees(const AccountColumn &values, AccountColumn unread, const AllowedLoss &loss) {
-  return std::any_of(readings.begin(), readings.end(), [&](ColumnMeaning meaning) {
+/// The first meaning with which the column agrees; nothing where there is none.
+std::optional<ColumnMeaning> meaning_of(const AccountColumn &values, AccountColumn unread,
+                                        const AllowedLoss &loss) {
+  for (const ColumnMeaning meaning : readings) {
     unread.meaning.meaning = meaning;
     const bool is_first = !values.is_share() || unread.is_share();
     const ColumnComparison compared = is_first ? compare(values, unread) : compare(unread, values);
-    return may_be(meaning, unread) && !compared.disagreement &&
-           (!compared.whole || is_whole(is_first ? values : unread, *compared.whole, loss));
-  });
+    if (may_be(meaning, unread) && !compared.disagreement &&
+        (!compared.whole || is_whole(is_first ? values : unread, *compared.whole, loss)))
+      return meaning;
+  }
+  return std::nullopt;
+}
+
+/// True where shares of that meaning say that something passes the finest sieve.
+bool have_rest(const AccountColumn &shares, ColumnMeaning meaning) {
+  const std::optional<PrintedNumber> &last = shares.sieves.back();
+  if (!shares.is_share() || !last)
+    return false;
+  return (meaning == ColumnMeaning::passing && last->range().lo > 0) ||
+         (meaning == ColumnMeaning::cumulative && last->range().hi < 100);
 }
 
 } // namespace
@@ -77,10 +90,16 @@ void check_unread(const OrderedAccounts &accounts, std::size_t deciding, const S
                   std::vector<std::string> &notes) {
   const AccountColumn &values = accounts.columns[deciding];
   for (const AccountColumn &unread : accounts.unread) {
-    if (agrees(values, unread, accounts.loss))
+    const std::optional<ColumnMeaning> meaning = meaning_of(values, unread, accounts.loss);
+    const bool lacks_rest = meaning && values.adds_masses() && !values.below && have_rest(unread, *meaning);
+    if (meaning && !lacks_rest)
       continue;
-    const std::string difference = fmt::format("the column {} has other masses or shares than {}",
-                                               in_quotes(unread.header), in_quotes(values.header));
+    const std::string difference =
+        lacks_rest
+            ? fmt::format("something passes the finest sieve by the column {}, and {} has no row of the pan",
+                          in_quotes(unread.header), in_quotes(values.header))
+            : fmt::format("the column {} has other masses or shares than {}", in_quotes(unread.header),
+                          in_quotes(values.header));
     if (!accounts.is_asked)
       source.refuse(accounts.header_line,
                     fmt::format("{}: choose one with {} SIZE,VALUE", difference, option("columns")));

@@ -48,6 +48,13 @@ bool changes_masses(std::string_view header) {
                       words_of(header));
 }
 
+/// `Retained on (mm)`, `Lower size (um)`: the other sieve of a class.
+bool names_other_end(std::string_view header) {
+  return is_of_sizes(unit_in_header(header)) &&
+         has_any_word("retained on lower to bottom below untere bis inferieur inferior inferiore",
+                      words_of(header));
+}
+
 /// The unit that a header names with any of its words.
 ColumnUnit share_or_mass(std::string_view header) {
   const std::vector<std::string> words = words_of(header);
@@ -203,6 +210,12 @@ void UnusedColumns::check_corrected(const Table &table, const std::vector<const 
               "the column {} may be of a part of the sample that was sieved for the whole: choose the "
               "masses of the whole with {} SIZE,VALUE, or leave it out",
               in_quotes(column.name), option("columns")));
+    if (names_other_end(column.name) && has_two_numbers(column, sieves))
+      source_.refuse(
+          table.header_line,
+          fmt::format("the column {} has sizes too, and may be where {} was retained: give the size "
+                      "of the sieve alone, or choose the columns with {} SIZE,VALUE",
+                      in_quotes(column.name), in_quotes(value_name_), option("columns")));
     if (may_hold_values(column.name))
       continue; // compared in every reading
     if (are_retained && changes_masses(column.name) && has_two_numbers(column, sieves))

@@ -11,8 +11,7 @@ namespace mdm {
 namespace {
 
 bool is_long(const CellRow &row) {
-  return std::count_if(row.cells.begin(), row.cells.end(), [](const std::string &c) { return !c.empty(); }) >
-         2;
+  return row.filled() > 2;
 }
 
 /// True for a row with the words of a mass and their number behind its first cell: it is said of the sample.

@@ -2,7 +2,9 @@
 // Certificates that are changed, and what judges of them share: numbers and gradations, read in a way of
 // their own.
 
+#include "all_cases.hpp"
 #include "program.hpp"
+#include "sanitizers.hpp"
 
 #include <gmpxx.h>
 
@@ -243,6 +245,17 @@ inline void change_leaves(const std::string &text, std::set<std::string> &mutant
                                         "F1", "s1-2", "S1-2", "d1-2", "t", "T", "P1"})
       mutants.insert(before + joined(words, " ") + " 1 " + condition + "\n" + after);
   }
+}
+
+/// Every fifth, or all of them; with sanitizers, which take eight times as long, every eighth.
+inline std::set<std::string> some_of(const std::set<std::string> &mutants) {
+  const std::size_t step = takes_all_cases() ? 1 : MDM_IS_SANITIZED ? 8 : 5;
+  std::set<std::string> some;
+  std::size_t i = 0;
+  for (const std::string &mutant : mutants)
+    if (i++ % step == 0)
+      some.insert(some.end(), mutant);
+  return some;
 }
 
 inline std::string text_of(const std::string &file) {

@@ -1,10 +1,8 @@
 // The same for tree certificates: what passes must still prove its claim. The judge of this file writes every
 // condition out in all variables, in fractions, and adds them up as they stand.
 
-#include "all_cases.hpp"
 #include "catch.hpp"
 #include "mutants.hpp"
-#include "sanitizers.hpp"
 #include "window_judge.hpp"
 
 #include <mdm/checker.hpp>
@@ -559,17 +557,6 @@ const char *const names[] = {"by_hand",
                              "windows_cylinder",
                              "windows_sums"};
 
-/// Every third, or all of them; with sanitizers, which take eight times as long, every eighth.
-std::set<std::string> judged_of(const std::set<std::string> &mutants) {
-  const std::size_t step = takes_all_cases() ? 1 : MDM_IS_SANITIZED ? 8 : 3;
-  std::set<std::string> judged;
-  std::size_t i = 0;
-  for (const std::string &mutant : mutants)
-    if (i++ % step == 0)
-      judged.insert(judged.end(), mutant);
-  return judged;
-}
-
 } // namespace
 
 TEST_CASE("changed tree certificates pass only where they still prove their claim", "[checker]") {
@@ -585,7 +572,7 @@ TEST_CASE("changed tree certificates pass only where they still prove their clai
     mutants.erase(certificate);
     CHECK(mutants.size() > 1000);
     REQUIRE(judge_all(gradation, {certificate}) == 1);
-    const std::set<std::string> judged = judged_of(mutants);
+    const std::set<std::string> judged = some_of(mutants);
     const std::size_t harmless = judge_all(gradation, judged);
     CHECK(harmless * 10 < judged.size());
   }

@@ -7,6 +7,7 @@
 namespace study_test {
 
 using namespace cli_test;
+using mdm_test::line_count;
 
 namespace {
 
@@ -19,11 +20,6 @@ std::string some_of_the_suite(int n) {
   for (int i = 0; i < n && std::getline(lines, line); ++i)
     text += line + "\n";
   return text;
-}
-
-std::ptrdiff_t line_count(const std::string &path) {
-  const std::string text = read_file(path);
-  return std::count(text.begin(), text.end(), '\n');
 }
 
 } // namespace
@@ -107,24 +103,6 @@ TEST_CASE("study draws its figures", "[cli]") {
   for (const char *name : {"study/figure1.svg", "study/figure2.svg", "study/figure3.svg", "study/figure4.svg",
                            "study/figure5.svg"})
     CHECK(read_file(folder / name).find("</svg>") != std::string::npos);
-}
-
-TEST_CASE("study --paper voivret writes the numbers of its figures on size distributions", "[cli]") {
-  if (MDM_IS_SANITIZED) // all of them: a minute there
-    return;
-  const TemporaryFolder folder;
-  const Outcome outcome = mdm({"study", "--paper", "voivret", "--only", "models", "--out", folder / "study"});
-  INFO(outcome.err);
-  CHECK(outcome.exit_code == 0);
-  CHECK(outcome.out.empty());
-  const std::pair<const char *, std::ptrdiff_t> rows[] = {
-      {"1", 100}, {"3", 1407}, {"4", 294}, {"5", 180}, {"6", 48}, {"7", 66}, {"8", 2304}, {"8-spans", 2000}};
-  for (const auto &[number, n] : rows)
-    CHECK(line_count(folder / ("study/figure" + std::string(number) + ".csv")) == n + 1);
-  CHECK(line_count(folder / "study/statements.csv") > 40);
-  const std::string sets = read_file(folder / "study/figure7.csv");
-  CHECK(sets.find("\n1,3,geometric,10,10,2000,33927,33927,10,0.01") != std::string::npos);
-  CHECK(sets.find("\n1,3,regular,10,10,2000,7258942,7258942,0,,,\n") != std::string::npos);
 }
 
 namespace {

@@ -95,7 +95,13 @@ TEST_CASE("a tray among the sieves may be the pan") {
 TEST_CASE("shares by number are no masses, where a line above says so") {
   const std::string percent = "Diameter (um),Undersize (%)\n100,100\n50,60\n10,20\n";
   CHECK(contains(refusal("Distribution Base,Number\n" + percent), "by number"));
-  CHECK(contains(refusal("Number distribution\n" + percent), "by number"));
+  for (const std::string words :
+       {"Number distribution", "Anzahlverteilung", "Count distribution", "By number", "Number-%",
+        "Verteilung: Q0", "Pebble count (Wolman)", "Intensity distribution (DLS)", "Weighted by: area",
+        "Grid-by-number sampling"})
+    CHECK(contains(refusal(words + "\n" + percent), "by number"));
+  for (const std::string words : {"Sample number: 5", "Number of sieves,7", "Surface area 0.5 m2/g"})
+    CHECK(masses(words + "\n" + percent) == masses(percent));
   CHECK(masses("Distribution Base,Volume\n" + percent) == masses(percent));
   CHECK(masses("Sample number,12\n" + percent) == masses(percent));
   const std::string exported = "Sample Name,Distribution Type,Result Between User Sizes um,,\n,,1,2,4\nS1,";

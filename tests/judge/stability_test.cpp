@@ -1,5 +1,6 @@
 // Internal stability, against curves that are read point by point in double, and ties made by hand.
 
+#include "all_cases.hpp"
 #include "catch.hpp"
 #include "judge/stability.hpp"
 #include "soils.hpp"
@@ -180,7 +181,7 @@ TEST_CASE("a verdict on a rounded report is that of every curve that rounds to i
   std::mt19937 random(5);
   std::uniform_real_distribution<double> move(-0.49, 0.49);
   int decided = 0, hanging = 0;
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0; i < (takes_all_cases() ? 150 : 75); ++i) {
     std::vector<int> tenths = random_tenths(random, sieves.size(), 0);
     for (int &t : tenths)
       t -= t % 10;
@@ -214,7 +215,7 @@ TEST_CASE("a verdict on a rounded report is that of every curve that rounds to i
         CHECK(holds);
     }
   }
-  CHECK(decided > 40);
+  CHECK(decided > 20);
   CHECK(hanging > 0);
 }
 
