@@ -470,6 +470,11 @@ private:
             columns_.width, in_quotes(cells[i])));
   }
 
+  [[noreturn]] void refuse_beside(std::string_view words, std::string_view label) const {
+    refuse(fmt::format("{} is beside the row {} and is not read: write it above or below the table",
+                       in_quotes(words), in_quotes(label)));
+  }
+
   /// What is said of the sample beside a row of the pan or a sum must not be overlooked.
   void check_words_beside() const {
     if (reading_.columns)
@@ -477,8 +482,7 @@ private:
     bool is_label = true;
     for (const std::string &cell : beside_columns(row(), columns_).cells) {
       if (!is_label && UnusedColumns::names_mass(cell))
-        refuse(fmt::format("{} is beside the row {} and is not read: write it above or below the table",
-                           in_quotes(cell), in_quotes(row().first())));
+        refuse_beside(cell, row().first());
       is_label = is_label && cell.empty() && size_cell().empty();
     }
   }
@@ -496,8 +500,7 @@ private:
                      statements);
       for (const MassStatement &s : statements)
         if (s.is_sentence || UnusedColumns::names_mass(s.label))
-          refuse(fmt::format("{} is beside the row {} and is not read: write it above or below the table",
-                             in_quotes(s.label), in_quotes(size_cell())));
+          refuse_beside(s.label, size_cell());
     }
   }
 

@@ -164,7 +164,7 @@ private:
         loose_ = i;
       return;
     }
-    if (stated_ && !statements_.empty() && names_other_mass(cell) && words_of(cell).size() == 1) {
+    if (stated_ && names_other_mass(cell) && words_of(cell).size() == 1) {
       statements_.back().label += " (" + std::string(cell) + ")";
       return;
     }

@@ -12,10 +12,7 @@ bool speaks_of_number_shares(std::string_view text) {
   const std::vector<std::string> words = words_of(text);
   const auto have = [&words](std::string_view list) { return has_any_word(list, words); };
   const auto have_two = [&words](std::string_view first, std::string_view second) {
-    for (std::size_t i = 0; i + 1 < words.size(); ++i)
-      if (has_word(first, words[i]) && has_word(second, words[i + 1]))
-        return true;
-    return false;
+    return has_two_words(first, second, words);
   };
   constexpr std::string_view kinds = "number count population intensity anzahl nombre numero area";
   if (have("anzahlverteilung anzahlsummenverteilung q0") || have_two("pebble", "count counts") ||
@@ -23,7 +20,7 @@ bool speaks_of_number_shares(std::string_view text) {
     return true;
   return have("number anzahl nombre numero") &&
          have("distribution distributions distribucion distribuzione weighted weighting basis base "
-              "anzahlverteilung verteilung");
+              "verteilung");
 }
 
 bool states_other_shares(std::string_view label, std::string_view value) {

@@ -88,11 +88,11 @@ RowSizes::RowSizes(const Cells &cells, const TableColumns &columns, const Readin
     for (const std::string &cell : cells.rows[i].cells)
       if (tells_other_series(cell))
         series_ = cell;
-  for (std::size_t i = columns.first_row; i < cells.rows.size() && columns.sizes.unit == ColumnUnit::inch;
-       ++i) {
-    const std::string_view cell = cells.rows[i].cell(columns.size);
-    names_inches_ |= is_fraction(cell) || is_numbered(cell);
-  }
+  if (columns.sizes.unit == ColumnUnit::inch)
+    for (std::size_t i = columns.first_row; i < cells.rows.size(); ++i) {
+      const std::string_view cell = cells.rows[i].cell(columns.size);
+      names_inches_ |= is_fraction(cell) || is_numbered(cell);
+    }
 }
 
 std::string RowSizes::file_unit() const {
@@ -137,9 +137,9 @@ void RowSizes::settle(Table &table, bool are_retained, const Source &source) con
                               "if they are mm, else correct the header",
                               in_quotes(columns_.size_name), option("unit")));
   if (columns_.sizes.unit == ColumnUnit::inch)
-    table.notes.emplace_back(
-        names_inches_ ? "Sizes in inches are the openings of ASTM's sieves of that name: 1 in is 25 mm."
-                      : "Sizes in inches were converted to mm.");
+    table.notes.emplace_back(names_inches_ ? "Sizes in inches are the openings of ASTM's sieves of that "
+                                             "name: 1 in is 25 mm; others were converted to mm."
+                                           : "Sizes in inches were converted to mm.");
   ranges_.settle(table, are_retained, source);
 }
 

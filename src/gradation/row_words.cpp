@@ -112,10 +112,7 @@ public:
     });
   }
   bool have_two(std::string_view first, std::string_view second) const {
-    for (std::size_t i = 0; i + 1 < all_.size(); ++i)
-      if (all_[i] == first && has_word(second, all_[i + 1]))
-        return true;
-    return false;
+    return has_two_words(first, second, all_);
   }
 
   /// `100 g of 400 g`.
@@ -137,9 +134,10 @@ public:
   }
   /// `Fine factor`, `Ratio total/sieved`, `Factor = 8`.
   bool have_factor_of_part() const {
-    if (all_.size() == 2 && has_word("factor faktor facteur fattore", all_[0]) && is_digit(all_[1].front()))
+    constexpr std::string_view factor = "factor faktor facteur fattore";
+    if (all_.size() == 2 && has_word(factor, all_[0]) && is_digit(all_[1].front()))
       return true;
-    return have("factor faktor facteur fattore ratio multiplier") &&
+    return (have(factor) || have("ratio multiplier")) &&
            have("fine fines sieved fein fins finos portion fraction corrected");
   }
 

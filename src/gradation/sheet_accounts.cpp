@@ -103,10 +103,11 @@ private:
       last = row.numbers[c];
       has_row = true;
     }
-    if (a_.columns[c].is_share() && has_row)
-      check_end(c, *last);
-    if (a_.columns[c].is_share())
+    if (a_.columns[c].is_share()) {
+      if (has_row)
+        check_end(c, *last);
       return above ? std::optional(PrintedNumber{100, 0} - *above) : std::nullopt;
+    }
     return has_row && above ? std::optional(*last - *above) : std::nullopt;
   }
 

@@ -180,8 +180,9 @@ TEST_CASE("no verdict on what only the pan tells", "[stability]") {
 TEST_CASE("a verdict on a rounded report is that of every curve that rounds to it", "[stability]") {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> move(-0.49, 0.49);
+  const int trials = takes_all_cases() ? 150 : 75;
   int decided = 0, hanging = 0;
-  for (int i = 0; i < (takes_all_cases() ? 150 : 75); ++i) {
+  for (int i = 0; i < trials; ++i) {
     std::vector<int> tenths = random_tenths(random, sieves.size(), 0);
     for (int &t : tenths)
       t -= t % 10;
@@ -215,7 +216,7 @@ TEST_CASE("a verdict on a rounded report is that of every curve that rounds to i
         CHECK(holds);
     }
   }
-  CHECK(decided > 20);
+  CHECK(decided * 15 > trials * 4); // more than 40 of 150
   CHECK(hanging > 0);
 }
 
