@@ -41,6 +41,8 @@ ParticleOptions ParticleTexts::reading(SizeUnit target) const {
   if (from && !o.format)
     throw InputError(option("from") + ": " + in_quotes(*from) + " is no format: use one of " +
                      particle_format_names());
+  if (radius && diameter)
+    throw InputError(option("radius") + " and " + option("diameter") + ": give one of them");
   if (radius || diameter)
     o.meaning = radius ? SizeMeaning::radius : SizeMeaning::diameter;
   if (size_column && !o.meaning)

@@ -247,6 +247,14 @@ TEST_CASE("export: nonsense is refused", "[cli]") {
   CHECK(folder.entries() == 1);
 }
 
+TEST_CASE("export: sizes that are said to be radii and diameters are refused", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string particles = folder.write("particles.csv", "size_mm,quantity\n1,3\n");
+  CHECK(mdm({"export", particles, "--to", "csv", "--radius"}).exit_code == 0);
+  check_refused(mdm({"export", particles, "--to", "csv", "--radius", "--diameter"}),
+                "--radius and --diameter: give one of them");
+}
+
 TEST_CASE("export: an answer in another order, or with options of gradations, is refused", "[cli]") {
   Json answer = solve_json({example("athabasca-sand")});
   CHECK(export_to("lammps", answer.dump()).exit_code == 0);
