@@ -8,6 +8,7 @@
 #include "gradation/exact_cut.hpp"
 #include "gradation/shown.hpp"
 #include "text/file_names.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
 
@@ -45,6 +46,15 @@ void check_passing(const CutPart &part, const Rational &mass, const std::string 
         fmt::format("{}: nothing passes {}, where the two are joined: give a larger size, or leave the "
                     "other file out",
                     part.of.name, joint));
+}
+
+/// Two analyses of the whole: the coarse one must have something above the joint.
+void check_above(const CutPart &coarse, const std::string &joint) {
+  const Gradation &g = coarse.of.gradation;
+  if (mass_of(g, coarse.below, g.classes()) == 0)
+    throw InputError(fmt::format("{}: it has no mass above {}, where the two are joined: check the unit of "
+                                 "{}, and give the coarse file before the fine one",
+                                 coarse.of.name, joint, option("at")));
 }
 
 /// Adds a row whose class has the factor of class j of g.
@@ -129,6 +139,12 @@ void add_overlap(std::vector<std::string> &history, const CutPart &coarse, const
   for (const auto &[i, j] : o.both) {
     const Rational of_coarse = share_passing(coarse.of.gradation, i),
                    of_fine = share_passing(fine.of.gradation, j) * factor;
+    if (of_fine > 1)
+      throw InputError(
+          fmt::format("{}: {} passes {} in it, measured by {}, and no more than 100 % can: "
+                      "check the unit of {} and the order of the files, or leave out its rows above {}",
+                      fine.of.name, shown_percent(of_fine), shown(coarse.sizes[i], unit), coarse.of.name,
+                      option("at"), shown(at, unit)));
     history.push_back(fmt::format("compared at {}: {} passes in {}, {} in {}", shown(coarse.sizes[i], unit),
                                   shown_percent(of_coarse), coarse.of.name, shown_percent(of_fine),
                                   fine.of.name));
@@ -179,6 +195,7 @@ Regraded joined_parts(const CutPart &coarse, const CutPart &fine, const Rational
 Regraded joined(const NamedGradation &coarse, const NamedGradation &fine, const Rational &at) {
   const SizeUnit unit = coarse.gradation.unit();
   const CutPart c = cut_part(coarse, unit, at), f = cut_part(fine, unit, at);
+  check_above(c, shown(at, unit));
   return joined_parts(c, f, at, c.passing);
 }
 
