@@ -22,7 +22,9 @@ const std::vector<OptionRow<ReadingTexts>> ReadingTexts::options = {
     {"sheet", "NAME", OptionKind::text, "the sheet of a workbook (the first)", &ReadingTexts::sheet},
     {"loss", "P%", OptionKind::number, "what the rows of a sheet may lack of its initial mass (1%)",
      &ReadingTexts::loss},
-    {"round", "D", OptionKind::number, "take all masses to D significant digits before anything else",
+    {"round", "D", OptionKind::number,
+     "take all masses, or the values of a column that passes or is cumulative, to D significant digits "
+     "before anything else",
      &ReadingTexts::round}};
 
 std::string ReadingTexts::given() const {

@@ -38,7 +38,7 @@ void check_cumulative_percent(const Table &table, const LabValues &values, const
 /// What each sieve retains, from cumulative masses.
 void take_differences(Table &table, const Reading &reading, const Source &source) {
   if (reading.round)
-    table.notes.push_back(*settle_digits(table.values, reading.round));
+    table.notes.push_back(*settle_digits(table.values, reading.round, "cumulative mass"));
   table.has_settled_digits = reading.round.has_value();
   std::vector<std::size_t> order(table.sizes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -91,12 +91,17 @@ std::optional<std::string> float_dust_note(const std::vector<Rational> &masses) 
                      has_zero ? ", but for 0: write that yourself" : "");
 }
 
-std::optional<std::string> settle_digits(std::vector<Rational> &masses, std::optional<unsigned> round) {
+std::optional<std::string> settle_digits(std::vector<Rational> &masses, std::optional<unsigned> round,
+                                         std::string_view of) {
   if (!round)
     return float_dust_note(masses);
   for (Rational &mass : masses)
     mass = to_digits(mass, *round);
-  return fmt::format("All masses were taken to {} significant digits.", *round);
+  const std::string digits =
+      *round == 1 ? "1 significant digit" : fmt::format("{} significant digits", *round);
+  return of.empty()
+             ? fmt::format("All masses were taken to {}.", digits)
+             : fmt::format("All {} values were taken to {}; classes have their differences.", of, digits);
 }
 
 std::optional<unsigned> digits_that_give(const Rational &value, const Rational &whole) {

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mdm {
@@ -22,8 +23,10 @@ Rational digit_unit(const Rational &r, unsigned digits);
 std::optional<std::string> float_dust_note(const std::vector<Rational> &masses);
 
 /// Takes the masses to `round` significant digits, if there is such a number.
+/// \param of  what they are where they are not masses yet, but values that masses are differences of
 /// \return the note on that, or else that on float dust, or nothing
-std::optional<std::string> settle_digits(std::vector<Rational> &masses, std::optional<unsigned> round);
+std::optional<std::string> settle_digits(std::vector<Rational> &masses, std::optional<unsigned> round,
+                                         std::string_view of = "");
 
 /// The most significant digits, at least 3, to which `value` rounds to `whole`; nothing if there are none.
 std::optional<unsigned> digits_that_give(const Rational &value, const Rational &whole);

@@ -139,7 +139,8 @@ void settle_values(Table &table, const Reading &reading) {
     if (!table.roundings.empty())
       widen(table.roundings, ratio(100, table.column->full));
   }
-  if (const std::optional<std::string> note = settle_digits(table.values, reading.round))
+  const std::string_view of = table.column->form == MassForm::retained ? "" : table.column->words;
+  if (const std::optional<std::string> note = settle_digits(table.values, reading.round, of))
     table.notes.push_back(*note);
 }
 

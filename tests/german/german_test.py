@@ -48,7 +48,7 @@ ELSEWHERE = {
 # Notes that are made elsewhere: this expression adds them.
 HANDED_ON = {
     "*note", "note", "note,id", "text", "*std::move(note)", "std::move(note)", "problem.notes", "reader.notes()",
-    "*settle_digits(table.values,reading.round)", "rounding_note(result_.is_exact)", "rounding_note(curves_.box.is_exact)",
+    "*settle_digits(table.values,reading.round,cumulative mass)", "rounding_note(result_.is_exact)", "rounding_note(curves_.box.is_exact)",
     "representative_note(match,*height)", "representative_note(d)", "left_out_note(all.interpolated)", "source_->size_note()",
     "source_.size_note()", "source.size_note()", "note.get<std::string>()", "note.is_string()?note.get<std::string>():note.dump()",
     "sentence(within.why().reason)", "read_sample_file(c.sample,options,verifier.sizes(),c.output.quiet)",

@@ -284,7 +284,8 @@ TEST_CASE("Rounding takes the masses before anything else") {
   const Gradation g = read_with("size_mm,passing_percent\n1,33.3333\n2,99.99\n", three);
   CHECK(text(g.masses()) == "33.3 66.7 0");
   CHECK(g.roundings()[1] == ratio(5, 100));
-  CHECK(has_note(g, "All masses were taken to 3 significant digits."));
+  CHECK(has_note(g, "All percent passing values were taken to 3 significant digits; classes have their "
+                    "differences."));
   CHECK(text(read_with("{\"sizes\":[1,2],\"masses\":[0.30000000000000004,0]}", three).masses()) == "0.3 0");
   CHECK(contains(
       refusal("size_mm,passing_fraction\n1,0.5\n2,0.9999999999999999\n"),

@@ -69,6 +69,14 @@ TEST_CASE("Differences of percents in doubles are all noticed, and the digits of
   }
 }
 
+TEST_CASE("The note on rounded values says which were rounded") {
+  std::vector<Rational> values = {r("12.3"), r("45.6")};
+  CHECK(settle_digits(values, 2) == "All masses were taken to 2 significant digits.");
+  CHECK(values == std::vector<Rational>{12, 46});
+  CHECK(settle_digits(values, 1, "percent passing") ==
+        "All percent passing values were taken to 1 significant digit; classes have their differences.");
+}
+
 TEST_CASE("Long decimals that stand beside no short one are left alone") {
   CHECK_FALSE(float_dust_note({r("0.1234567890123456"), r("33.33333333333333"), r("0.3"), 100}));
   CHECK_FALSE(float_dust_note({ratio(1, 3), 0}));

@@ -128,7 +128,8 @@ def blend(stockpiles: Iterable[Source], specification: Path, *, target: Source |
         skip: leave out the first N lines or rows.
         sheet: the sheet of a workbook (the first).
         loss: what the rows of a sheet may lack of its initial mass (1%).
-        round: take all masses to D significant digits before anything else.
+        round: take all masses, or the values of a column that passes or is cumulative, to D significant digits before
+            anything else.
         limit: limits of the blend's fineness modulus, FM=2.3..3.1 of ASTM C125 or FM-EN=2.4..3.0 of EN 12620, or of its
             coarseness factor, CF=45..75: of what stays on 2.36 mm the percent that stays on 9.5 mm; either end may be left
             out.

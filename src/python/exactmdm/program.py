@@ -217,7 +217,8 @@ def generate(*, curve: Source | None = None,
         skip: leave out the first N lines or rows.
         sheet: the sheet of a workbook (the first).
         loss: what the rows of a sheet may lack of its initial mass (1%).
-        round: take all masses to D significant digits before anything else.
+        round: take all masses, or the values of a column that passes or is cumulative, to D significant digits before
+            anything else.
 
     Returns:
         The set. It is accessible if it has no more particles than was asked.
@@ -282,7 +283,8 @@ def pack(sizes: Source | None, out: Path, *,
         skip: leave out the first N lines or rows.
         sheet: the sheet of a workbook (the first).
         loss: what the rows of a sheet may lack of its initial mass (1%).
-        round: take all masses to D significant digits before anything else.
+        round: take all masses, or the values of a column that passes or is cumulative, to D significant digits before
+            anything else.
         apollonian: no deposit: the Apollonian packing around three circles of radius 1 (equal), or of the four whole
             curvatures, the outer circle's below 0.
         smallest: radius of the smallest circles of an Apollonian packing, as 0.001 or 1/1000; the outer circle is not
@@ -399,7 +401,8 @@ def export(source: Source | None, to: str, out: Path, *,
         skip: leave out the first N lines or rows.
         sheet: the sheet of a workbook (the first).
         loss: what the rows of a sheet may lack of its initial mass (1%).
-        round: take all masses to D significant digits before anything else.
+        round: take all masses, or the values of a column that passes or is cumulative, to D significant digits before
+            anything else.
         gradation: whose classes the particles of FILE are in, where it is a file of particles: their numbers, materials
             and densities; without it a class has sizes up to 1.41 times its smallest.
         unjammed: a model's result may be grains that are not at rest, or that do not carry each other; without it the
@@ -468,7 +471,8 @@ def picture(source: Source, out: Path, *,
         skip: leave out the first N lines or rows.
         sheet: the sheet of a workbook (the first).
         loss: what the rows of a sheet may lack of its initial mass (1%).
-        round: take all masses to D significant digits before anything else.
+        round: take all masses, or the values of a column that passes or is cumulative, to D significant digits before
+            anything else.
         width: width of the picture in pt, from 200 to 5000; letters stay as large as they are.
         language: language of the picture's own words: en (the default) or de; names and notes stay as they are.
         caption: a sentence to stand below the picture, before the notes.
