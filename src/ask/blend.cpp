@@ -203,7 +203,7 @@ const std::vector<OptionRow<BlendTexts>> BlendTexts::question_options = {
      "the curve that is wished for, at the sieves of the specification: a gradation, or power45:19mm, "
      "fuller:31.5mm, "
      "andreasen:16mm,q=0.25,dmin=0.063mm or bolomey:31.5mm,a=10, whose lengths are the largest size and the "
-     "smallest",
+     "smallest (0 where dmin is left out)",
      &BlendTexts::target},
     {"step", "STEP", OptionKind::text,
      "shares are whole numbers of steps: 1% (without this option), 0.5%, or masses as '5kg of 1000kg'",

@@ -70,7 +70,8 @@ Rational exponent_of(std::string_view text) {
   return q;
 }
 
-void set_part(TargetCurve &curve, std::string_view word, std::string_view part) {
+/// \return the name of what the part sets
+std::string_view set_part(TargetCurve &curve, std::string_view word, std::string_view part) {
   const std::size_t equals = part.find('=');
   const std::string_view key = trimmed(part.substr(0, equals));
   const std::string_view value = equals == std::string_view::npos ? "" : trimmed(part.substr(equals + 1));
@@ -82,6 +83,7 @@ void set_part(TargetCurve &curve, std::string_view word, std::string_view part) 
     curve.start = parse_decimal(value);
   else
     throw InputError(in_quotes(part) + " is not of " + std::string(word));
+  return key;
 }
 
 } // namespace
@@ -99,8 +101,12 @@ TargetCurve parse_target_curve(std::string_view text) {
   curve.exponent = word == "power45" ? ratio(9, 20) : word == "andreasen" ? Rational(0) : ratio(1, 2);
   try {
     curve.largest = length_in_mm(next_part(rest));
+    std::set<std::string_view> given;
     while (!rest.empty())
-      set_part(curve, word, next_part(rest));
+      if (const std::string_view key = set_part(curve, word, next_part(rest)); !given.insert(key).second)
+        throw InputError(in_quotes(key) + " has two values: give one");
+    if (word == "bolomey" && given.empty())
+      throw InputError("a is missing");
     if (curve.exponent == 0)
       throw InputError("q is missing");
     if (curve.smallest >= curve.largest)

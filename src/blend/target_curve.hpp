@@ -30,8 +30,8 @@ bool names_target_curve(std::string_view text);
 /// Reads
 /// `power45:D`, q = 0.45 and l = a = 0, the maximum density line of Superpave;
 /// `fuller:D`, q = 1/2 (Fuller and Thompson 1907);
-/// `andreasen:D,q=Q,dmin=L`, of which dmin may be left out (Andreasen and Andersen 1930; Funk and Dinger
-/// 1980); `bolomey:D,a=A`, q = 1/2 (Bolomey 1935). Sizes are in mm or have a unit.
+/// `andreasen:D,q=Q,dmin=L`, dmin 0 where it is left out (Andreasen and Andersen 1930; Funk and Dinger 1980);
+/// `bolomey:D,a=A`, q = 1/2 (Bolomey 1935). Sizes are in mm or have a unit.
 /// \throws InputError where the text is none of them
 TargetCurve parse_target_curve(std::string_view text);
 

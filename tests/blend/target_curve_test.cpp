@@ -14,6 +14,16 @@ std::string passing(const std::string &curve, const std::string &size) {
   return to_decimal(parse_target_curve(curve).passing(parse_decimal(size)));
 }
 
+/// True if the curve is refused with that in the message.
+bool refuses(const std::string &curve, const std::string &why) {
+  try {
+    parse_target_curve(curve);
+  } catch (const InputError &e) {
+    return std::string(e.what()).find(why) != std::string::npos;
+  }
+  return false;
+}
+
 } // namespace
 
 TEST_CASE("computed targets have the digits of Python's decimal with 60 digits, rounded") {
@@ -63,6 +73,14 @@ TEST_CASE("words and files are told apart, and what is no curve is refused") {
         "andreasen:16mm", "andreasen:16mm,q=0", "andreasen:16mm,q=11", "andreasen:16mm,q=0.1234",
         "andreasen:16mm,q=0.25,dmin=16mm", "andreasen:16mm,q", "fuller:x"})
     CHECK_THROWS_AS(parse_target_curve(text), InputError);
+}
+
+TEST_CASE("a parameter that is given twice, or that is missing, is named") {
+  CHECK(refuses("andreasen:16mm,q=0.3,q=0.4,dmin=63um", "'q' has two values: give one"));
+  CHECK(refuses("andreasen:16mm,q=0.3,dmin=1mm,dmin=63um", "'dmin' has two values: give one"));
+  CHECK(refuses("bolomey:16mm,a=12,a=14", "'a' has two values: give one"));
+  CHECK(refuses("bolomey:16mm", "a is missing"));
+  CHECK(passing("bolomey:16mm,a=0", "4") == "50");
 }
 
 } // namespace target_curve_test
