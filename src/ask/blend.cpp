@@ -95,14 +95,27 @@ void take_share(const std::string &text, BlendProblem &p) {
                     shown(100 * stockpile.most)));
 }
 
+/// Where an exponent, as `e-1`, ends that begins at `at`; there is none: `at`.
+std::size_t end_of_exponent(std::string_view all, std::size_t at) {
+  constexpr std::string_view digits = "0123456789";
+  if (all.substr(at, 1) != "e" && all.substr(at, 1) != "E")
+    return at;
+  const std::size_t sign = all.find_first_of("+-", at) == at + 1 ? 1 : 0;
+  const std::size_t first = at + 1 + sign;
+  return all.find_first_of(digits, first) == first
+             ? std::min(all.find_first_not_of(digits, first), all.size())
+             : at;
+}
+
 /// A number and the letters behind it: `5kg`.
 NamedMass mass_in(const std::string &text) {
   const std::string_view all = trimmed(text);
   const auto letter = std::find_if(all.begin(), all.end(), [](char c) {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '%';
   });
-  const auto digits = static_cast<std::size_t>(letter - all.begin());
-  return {positive("step", std::string(trimmed(all.substr(0, digits)))), std::string(all.substr(digits))};
+  const std::size_t digits = end_of_exponent(all, static_cast<std::size_t>(letter - all.begin()));
+  return {positive("step", std::string(trimmed(all.substr(0, digits)))),
+          std::string(trimmed(all.substr(digits)))};
 }
 
 /// `1%`, `0.5` or `5kg of 1000kg`. \return the mass of a blend, if there is one

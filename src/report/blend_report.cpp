@@ -60,9 +60,11 @@ std::string percent_of_share(const Rational &share) {
 
 std::string step_in_words(const BlendReport &r) {
   const Rational part = ratio(1, r.problem.steps);
-  return r.mass ? fmt::format("steps of {} {} of {} {}", short_value(r.mass->value * part),
-                              printable(r.mass->unit), short_value(r.mass->value), printable(r.mass->unit))
-                : fmt::format("steps of {} %", short_value(100 * part));
+  if (!r.mass)
+    return fmt::format("steps of {} %", short_value(100 * part));
+  const std::string unit = r.mass->unit.empty() ? "" : " " + printable(r.mass->unit);
+  return fmt::format("steps of {}{} of {}{}", short_value(r.mass->value * part), unit,
+                     short_value(r.mass->value), unit);
 }
 
 /// `61 % A, 11 % B`, without those that have no share.
@@ -125,7 +127,7 @@ std::string stockpile_table(const BlendReport &r) {
   table.add_column("stockpile", '<');
   table.add_column("share (%)", '>');
   if (r.mass)
-    table.add_column("mass (" + printable(r.mass->unit) + ")", '>');
+    table.add_column(r.mass->unit.empty() ? "mass" : "mass (" + printable(r.mass->unit) + ")", '>');
   if (has_cost)
     table.add_column("cost", '>');
   if (shows_real(r)) {

@@ -102,6 +102,17 @@ TEST_CASE("where real shares keep limits that none in steps keep, that is told",
   CHECK(stockpiles.json({"--step", "1kg of 3kg"}).at("status") == "optimal");
 }
 
+TEST_CASE("steps may have exponents, and masses no unit", "[cli]") {
+  const Stockpiles stockpiles;
+  for (const char *step : {"1e-1%", "1e-1 %", "1e-1", "1E-1", "0.1"})
+    CHECK(contains(stockpiles.blend({"--step", step}).out, "in steps of 0.1 %"));
+  CHECK(contains(stockpiles.blend({"--step", "5e-1kg of 1e3kg"}).out, "in steps of 0.5 kg of 1000 kg"));
+  const std::string bare = stockpiles.blend({"--step", "5 of 1000"}).out;
+  CHECK(contains(bare, "in steps of 5 of 1000"));
+  CHECK(contains(bare, "share (%)  mass"));
+  CHECK_FALSE(contains(bare, "mass ()"));
+}
+
 TEST_CASE("shares of more stockpiles than asked for are told as such", "[cli]") {
   const std::string none = Stockpiles().blend({"--at-most-stockpiles", "1"}).out;
   CHECK(contains(none, "no blend of at most 1 of these 2 stockpiles keeps the limits"));
