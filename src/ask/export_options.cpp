@@ -110,6 +110,9 @@ void check_model(const ExportTexts &c) {
                      option("stress") + ": give one of them");
   if (c.solve.specimen && c.solve.solids_volume)
     throw InputError(option("specimen") + " and " + option("solids-volume") + ": give one of them");
+  if (c.material && c.types == "one")
+    throw InputError(option("types") + " one: " + option("material") +
+                     " gives each class a type of its own: leave one of them out");
   if (c.material && c.young)
     throw InputError(option("young") + ": " + option("material") + " has that of each class: leave it out");
   if (c.start == "layers" && is_cylinder_asked(c))

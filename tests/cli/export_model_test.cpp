@@ -349,6 +349,8 @@ TEST_CASE("a model takes the material of each class from a file", "[cli]") {
       0);
   CHECK(read_file(model).find("\nvariable grip equal ${own}*0.3+(1-${own})*${mu}\n") != std::string::npos);
   check_refused(export_model("lammps", model, {"--material", material, "--young", "1e6"}), "--young");
+  check_refused(export_model("lammps", model, {"--material", material, "--types", "one"}),
+                "--types one: --material gives each class a type of its own");
   check_refused(export_model("lammps", model, {"--material", folder / "none"}), "none");
   check_refused(
       export_model("lammps", model, {"--material", folder.write("n.csv", "class,friction\n1,-1\n")}),
