@@ -58,6 +58,11 @@ std::string odd_densities(const ParticleSet &set) {
   const Rational lo = least->density / in_cubic_metre, hi = most->density / in_cubic_metre;
   if (lo >= least_usual && hi <= most_usual)
     return "";
+  if (lo == hi)
+    return fmt::format(
+        "density: {} kg/m^3, which few grains have: {} is in kg/m^3, such as 2650, and a factor "
+        "of the gradation multiplies it\n",
+        approximate(lo, 4), option("density"));
   return fmt::format(
       "densities: {} to {} kg/m^3, {} times the factors of the gradation, where it has some: give 1 where "
       "these are in kg/m^3, 1000 where they are in g/cm^3\n",

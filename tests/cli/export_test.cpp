@@ -200,6 +200,15 @@ TEST_CASE("export: what it will cost is on standard error", "[cli]") {
         std::string::npos);
 }
 
+TEST_CASE("export: a density in g/cm^3 is told, with the option's unit", "[cli]") {
+  const std::string plain = "size_mm,mass\n1,1\n2,2\n4,0\n";
+  CHECK(contains(export_to("csv", plain, {"--density", "2.65"}).err,
+                 "density: 2.65 kg/m^3, which few grains have: --density is in kg/m^3, such as 2650"));
+  CHECK_FALSE(contains(export_to("csv", plain).err, "which few grains have"));
+  const std::string factors = "size_mm,mass,factor\n1,1,2.65\n2,2,2.7\n4,0,1\n";
+  CHECK(contains(export_to("csv", factors, {"--density", "1"}).err, "1000 where they are in g/cm^3"));
+}
+
 TEST_CASE("export: what looks like an accident needs an option", "[cli]") {
   const std::string sand = read_file(example("athabasca-sand"));
   for (const std::string format : {"liggghts", "lammps", "yade", "vtk", "diameters", "mercurydpm"})
