@@ -20,6 +20,8 @@ std::string shell_word(const std::string &path) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
            std::string_view("/._-+").find(c) != std::string_view::npos;
   };
+  if (path.size() > 1 && path.front() == '-') // else it would be an option
+    return shell_word("./" + path);
   if (!path.empty() && std::all_of(path.begin(), path.end(), is_plain))
     return path;
   std::string word = "'";

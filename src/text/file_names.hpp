@@ -15,7 +15,7 @@ std::size_t name_begin(std::string_view path);
 /// A path as messages name it: `stdin` for `-`.
 std::string shown_name(const std::string &path);
 /// A path as a word of a command in a message, for sh: in single quotes, unless it is of letters, digits and
-/// `/._-+` alone.
+/// `/._-+` alone; one that begins with a hyphen has `./` before it.
 std::string shell_word(const std::string &path);
 /// A line of a file as messages name it: `stdin:3`.
 std::string line_name(const std::string &path, std::uint64_t line);
