@@ -41,7 +41,7 @@ std::string stated_error(const ParticleSet &set) {
 }
 
 std::string mass_statement(const ParticleSet &set) {
-  return fmt::format("The mass of each class is that of the match within {} of it.", stated_error(set)) +
+  return fmt::format("The mass of each class is that of the exact sizes within {} of it.", stated_error(set)) +
          law_statement(set);
 }
 

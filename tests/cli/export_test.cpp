@@ -259,7 +259,9 @@ TEST_CASE("export: nonsense is refused", "[cli]") {
 TEST_CASE("export: sizes that are said to be radii and diameters are refused", "[cli]") {
   const TemporaryFolder folder;
   const std::string particles = folder.write("particles.csv", "size_mm,quantity\n1,3\n");
-  CHECK(mdm({"export", particles, "--to", "csv", "--radius"}).exit_code == 0);
+  const Outcome radii = mdm({"export", particles, "--to", "csv", "--radius"});
+  CHECK(radii.exit_code == 0);
+  CHECK(contains(radii.out, "# The mass of each class is that of the exact sizes within "));
   check_refused(mdm({"export", particles, "--to", "csv", "--radius", "--diameter"}),
                 "--radius and --diameter: give one of them");
 }
