@@ -108,6 +108,9 @@ void refuse_table_above(const Cells &cells, const TableColumns &columns, const S
 } // namespace
 
 void refuse_table(const Cells &cells, const Reading &reading, const Source &source) {
+  if (reading.skip && cells.rows.empty())
+    source.refuse(1, fmt::format("{} {} leaves out all that is written in the file: give fewer lines",
+                                 option("skip"), *reading.skip));
   const std::size_t line = cells.rows.empty() ? 1 : cells.rows.front().line;
   const std::string first = cells.rows.empty() ? "" : std::string(cells.rows.front().cell(0));
   if (reading.columns)

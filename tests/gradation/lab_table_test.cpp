@@ -155,6 +155,13 @@ TEST_CASE("What is not certain is not guessed") {
   CHECK(contains(unknown, "--columns SIZE,VALUE"));
 }
 
+TEST_CASE("Lines beyond the file cannot be left out") {
+  Reading most;
+  most.skip = 100;
+  CHECK(contains(refusal_with("Korn;Wert\n2;0\n1;3\n", most),
+                 "--skip 100 leaves out all that is written in the file"));
+}
+
 TEST_CASE("The options say it") {
   Reading all = columns("Korn,Wert");
   all.unit = "mm";
