@@ -26,7 +26,7 @@ std::uint64_t number_member(const nlohmann::json &object, const std::string &key
   std::uint64_t n = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
   if (error != std::errc{} || end != text.data() + text.size())
-    throw InputError(key + ": " + in_quotes(text) + " is no number");
+    throw InputError(key + ": " + in_quotes(text) + " is no whole number from 0 on: write one, such as 3");
   return n;
 }
 

@@ -105,7 +105,8 @@ private:
     for (const Rational &mass : t_.values)
       sum += mass;
     if (sum == 0)
-      source_.refuse(t_.header_line, fmt::format("no row has a {} above 0", t_.column->words));
+      source_.refuse(t_.header_line,
+                     fmt::format("no row has a {} above 0: write what each sieve retains", t_.column->words));
     if (t_.column->full != 0 && sum != t_.column->full)
       t_.notes.push_back(fmt::format("The {} values add up to {}, not {}; they are used as they are.",
                                      t_.column->words, shown(sum), t_.column->full));

@@ -18,10 +18,10 @@ namespace {
 constexpr unsigned digits = 10;
 
 std::string terms(const AccessibleQuestion &q) {
-  return fmt::format("{} {} {}, at least {} particles in each and {} in all, at most {}, dimension {}",
+  return fmt::format("{} {} {}, at least {} particle{} in each and {} in all, at most {}, dimension {}",
                      q.classes, name(q.classing), q.classes == 1 ? "class" : "classes",
-                     to_string(q.wanted.min_per_class), to_string(q.wanted.at_least), to_string(q.at_most),
-                     q.wanted.dimension);
+                     to_string(q.wanted.min_per_class), q.wanted.min_per_class == 1 ? "" : "s",
+                     to_string(q.wanted.at_least), to_string(q.at_most), q.wanted.dimension);
 }
 
 bool is_decided(const AccessibleRow &row) {

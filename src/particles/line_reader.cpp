@@ -198,7 +198,7 @@ void ParticleSource::begin_timestep(const Integer &number) {
 }
 
 void ParticleSource::take_title(std::string_view line) {
-  constexpr std::string_view begin = "Particles of ", end = " classes, by exactmdm; ";
+  constexpr std::string_view begin = "Particles of ", end = ", by exactmdm; ";
   const std::size_t words = std::min(line.find_first_not_of("#/ "), line.size());
   const std::size_t last = line.find(end);
   if (words == 0 || !line.substr(words).starts_with(begin) || last == std::string_view::npos)

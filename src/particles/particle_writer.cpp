@@ -25,9 +25,9 @@ std::string densities(const ParticleSet &set) {
 
 std::string title(const ParticleSet &set) {
   // The first words keep a name from looking like the head of another format.
-  return fmt::format("Particles of {}: {} in {} classes, by exactmdm; lengths in {}, density {}",
+  return fmt::format("Particles of {}: {} in {} class{}, by exactmdm; lengths in {}, density {}",
                      set.name.empty() ? "a gradation" : printable(set.name), to_string(set.particles()),
-                     set.classes.size(), name(set.unit), densities(set));
+                     set.classes.size(), set.classes.size() == 1 ? "" : "es", name(set.unit), densities(set));
 }
 
 std::string stated_error(const ParticleSet &set) {
@@ -41,7 +41,8 @@ std::string stated_error(const ParticleSet &set) {
 }
 
 std::string mass_statement(const ParticleSet &set) {
-  return fmt::format("The mass of each class is that of the exact sizes within {} of it.", stated_error(set)) +
+  return fmt::format("The mass of each class is that of the exact sizes within {} of it.",
+                     stated_error(set)) +
          law_statement(set);
 }
 

@@ -108,6 +108,8 @@ TEST_CASE("problems of blends that are none", "[blend]") {
   CHECK(contains(error("[]"), "is no object"));
   CHECK(contains(error(replaced(cheap, "\"aim\"", "\"aims\"")), "'aims' is unknown"));
   CHECK(contains(error(replaced(cheap, "\"aim\":\"cost\"", "\"aim\":\"least\"")), "aim is 'least'"));
+  CHECK(contains(error(replaced(cheap, "\"aim\"", "\"at_most\":\"-1\",\"aim\"")),
+                 "at_most: '-1' is no whole number from 0 on"));
   CHECK(contains(error(replaced(cheap, "[\"60\",\"100\"]", "[\"60\"]")),
                  "stockpiles[0].passing has 1 numbers"));
   CHECK(contains(error(replaced(cheap, "[\"60\",\"100\"]", "[\"60\",\"50\"]")),

@@ -262,6 +262,7 @@ TEST_CASE("export: sizes that are said to be radii and diameters are refused", "
   const Outcome radii = mdm({"export", particles, "--to", "csv", "--radius"});
   CHECK(radii.exit_code == 0);
   CHECK(contains(radii.out, "# The mass of each class is that of the exact sizes within "));
+  CHECK(contains(radii.out, ": 3 in 1 class, by exactmdm"));
   check_refused(mdm({"export", particles, "--to", "csv", "--radius", "--diameter"}),
                 "--radius and --diameter: give one of them");
 }

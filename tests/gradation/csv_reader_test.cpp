@@ -176,7 +176,8 @@ TEST_CASE("CSV: impossible values are refused with their line") {
   CHECK(contains(refusal("size_mm,mass\n1,-1\n2,0\n"), "sand.csv:2: mass -1 is negative"));
   CHECK(contains(refusal("size_mm,mass\n-1,1\n2,0\n"), "sand.csv:2: size -1 mm is negative"));
   CHECK(contains(refusal("size_mm,mass\n1,1\n2,0\n1.0,2\n"), "sand.csv:4: size 1 mm repeats that of line 2"));
-  CHECK(contains(refusal("size_mm,mass\n1,0\n2,0\n"), "sand.csv:1: no row has a mass above 0"));
+  CHECK(contains(refusal("size_mm,mass\n1,0\n2,0\n"),
+                 "sand.csv:1: no row has a mass above 0: write what each sieve retains"));
   CHECK(contains(refusal("size_mm,passing_percent\n3,100\n1,50\n2,40\n"),
                  "sand.csv:4: percent passing 40 at 2 mm is below 50 at 1 mm"));
   CHECK(contains(refusal("size_mm,cumulative_retained_percent\n3,0\n1,50\n2,60\n"),

@@ -76,7 +76,7 @@ TEST_CASE("each material is complete by itself") {
                  "beach.csv:4: a gradation needs at least two rows below the header, there are 1 (of the "
                  "material 'b')"));
   CHECK(contains(refusal_of("size_mm,mass,material\n1,1,a\n2,0,a\n1,0,b\n4,0,b\n"),
-                 "no row has a mass above 0 (of the material 'b')"));
+                 "no row has a mass above 0: write what each sieve retains (of the material 'b')"));
   CHECK(contains(refusal_of("size_mm,mass,material\n1,1,a\n2,0,a\n1,1,a\n"),
                  "beach.csv:4: size 1 mm repeats that of line 2: leave one out (of the material 'a')"));
   CHECK(contains(refusal_of("size_mm,mass,material,factor\n1,1,a,1\n2,0,a,0\n"),
