@@ -186,6 +186,7 @@ UnderstoodGradation read_any(const std::string &path, const ReadingTexts &readin
   if (reading.is_unit_at_most() && (is_gsd(begin) || told_format(begin))) {
     ParticleOptions options;
     options.says_otherwise = option("unit") + " says";
+    options.unit_option = "unit";
     if (reading.unit)
       options.unit = size_unit_of("unit", *reading.unit);
     SampleSieves sieves;

@@ -48,7 +48,7 @@ private:
           "the heading is not 'radius_m,cumulative_number,N particles', which says what the shares are "
           "of");
     if (source_.options().unit)
-      source_.refuse("the heading names the unit: leave out " + option("size-unit"));
+      source_.refuse("the heading names the unit: leave out " + option(source_.options().unit_option));
     source_.set_defaults(SizeMeaning::radius, *unit);
   }
 

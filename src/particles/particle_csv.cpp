@@ -77,7 +77,7 @@ private:
       source_.refuse(e.what());
     }
     if (source_.options().unit && columns_.has_unit)
-      source_.refuse("the header names the unit: leave out " + option("size-unit"));
+      source_.refuse("the header names the unit: leave out " + option(source_.options().unit_option));
     note_passed_over();
     width_ = fields_.size();
     source_.set_defaults(columns_.meaning, columns_.has_unit    ? columns_.unit()

@@ -41,7 +41,7 @@ protected:
     for (const SizeUnit unit : units_in_comment(words_))
       if (unit != *source_.unit())
         source_.refuse(fmt::format("the comment names {}, and sizes are taken in {}: say which it is with {}",
-                                   name(unit), name(*source_.unit()), option("size-unit")));
+                                   name(unit), name(*source_.unit()), option(source_.options().unit_option)));
   }
 
   ParticleSource &source_;

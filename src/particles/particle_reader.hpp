@@ -70,6 +70,8 @@ struct ParticleOptions {
   SizeUnit target = SizeUnit::mm;
   /// The options that say meaning and unit otherwise, for the note about them: `--a and --b`; or none.
   std::string says_otherwise = {};
+  /// The option that says `unit`.
+  std::string unit_option = "size-unit";
 };
 
 /// The format that the beginning of a file tells; nothing where it is that of a gradation, of an answer, or

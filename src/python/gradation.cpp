@@ -161,6 +161,7 @@ Gradation read_sample(const py::bytes &content, const std::string &file,
                       const std::optional<std::string> &unit) {
   ParticleOptions options;
   options.says_otherwise = option("unit") + " says";
+  options.unit_option = "unit";
   if (unit)
     options.unit = size_unit_of("unit", *unit);
   const std::string_view text(content);

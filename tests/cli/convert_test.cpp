@@ -201,6 +201,12 @@ TEST_CASE("every command reads a table with the options that say what it is", "[
   check_refused(mdm({"solve", canonical, "--round", "0"}), "--round");
 }
 
+TEST_CASE("a unit beside that of a file of particles is refused by the option's name", "[cli]") {
+  const TemporaryFolder folder;
+  check_refused(mdm({"convert", folder.write("r.csv", "radius_mm,quantity\n1,3\n"), "--unit", "mm"}),
+                "the header names the unit: leave out --unit");
+}
+
 TEST_CASE("a rounded question is proved of the gradation that is written", "[cli]") {
   const TemporaryFolder folder;
   const std::string path = folder.write("sand.csv", "size_mm,mass\n1,0.30000000000000004\n2,0.7\n4,0\n");

@@ -27,6 +27,9 @@ TEST_CASE("A file of particles is refused in the spelling of the front end") {
   metres.unit = SizeUnit::m;
   check_spellings(refusal_of_file("size_mm,quantity\n1,2\n", metres),
                   {"leave out --size-unit", "leave out size_unit", "leave out sizeUnit"});
+  metres.unit_option = "unit"; // of a gradation
+  check_spellings(refusal_of_file("size_mm,quantity\n1,2\n", metres),
+                  {"leave out --unit", "leave out unit", "leave out unit"});
   ParticleOptions second;
   second.timestep = 2;
   check_spellings(refusal_of_file("1\n", second),
