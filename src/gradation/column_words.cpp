@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <unordered_map>
 
 namespace mdm {
 namespace {
@@ -142,13 +143,21 @@ constexpr std::array phrases = {
     Phrase{"summe der siebdurchgaenge", ColumnMeaning::passing},
 };
 
+using RolesOfWords = std::unordered_map<std::string_view, unsigned>;
+
+RolesOfWords roles_of_vocabulary() {
+  RolesOfWords roles;
+  for (const RoleWords &r : vocabulary)
+    for (const std::string_view word : listed_words(r.words))
+      roles[word] |= r.roles;
+  return roles;
+}
+
 /// The roles of a word; 0 where it is not known.
 unsigned roles_of(std::string_view word) {
-  unsigned roles = 0;
-  for (const RoleWords &r : vocabulary)
-    if (has_word(r.words, word))
-      roles |= r.roles;
-  return roles;
+  static const RolesOfWords all = roles_of_vocabulary();
+  const auto found = all.find(word);
+  return found == all.end() ? 0 : found->second;
 }
 
 /// Takes `on each sieve` and the like away: it says where a mass is retained.

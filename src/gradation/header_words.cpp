@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <unordered_map>
 #include <utility>
 
 namespace mdm {
@@ -33,13 +34,23 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> li
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-ColumnUnit unit_of_word(const std::string &word) {
-  const auto found = std::find_if(units.begin(), units.end(),
-                                  [&word](const UnitWords &u) { return has_word(u.words, word); });
-  return found == units.end() ? ColumnUnit::none : found->unit;
+using UnitsOfWords = std::unordered_map<std::string_view, ColumnUnit>;
+
+UnitsOfWords units_of_words() {
+  UnitsOfWords all;
+  for (const UnitWords &u : units)
+    for (const std::string_view word : listed_words(u.words))
+      all.emplace(word, u.unit);
+  return all;
 }
 
-bool is_percent(const std::string &word) {
+ColumnUnit unit_of_word(std::string_view word) {
+  static const UnitsOfWords all = units_of_words();
+  const auto found = all.find(word);
+  return found == all.end() ? ColumnUnit::none : found->second;
+}
+
+bool is_percent(std::string_view word) {
   return unit_of_word(word) == ColumnUnit::percent;
 }
 

@@ -54,6 +54,16 @@ std::string plain_words(std::string_view text) {
   return joined(words_of(text));
 }
 
+std::vector<std::string_view> listed_words(std::string_view list) {
+  std::vector<std::string_view> words;
+  for (std::size_t from = 0; from < list.size();) {
+    const std::size_t to = std::min(list.find(' ', from), list.size());
+    words.push_back(list.substr(from, to - from));
+    from = to + 1;
+  }
+  return words;
+}
+
 bool has_word(std::string_view list, std::string_view word) {
   if (word.empty())
     return false;

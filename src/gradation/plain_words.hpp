@@ -18,6 +18,9 @@ std::string joined(const std::vector<std::string> &words);
 /// The words of `text`, joined.
 std::string plain_words(std::string_view text);
 
+/// The words of a list, which has one space between them.
+std::vector<std::string_view> listed_words(std::string_view list);
+
 /// True where `word` is one of `list`, which has spaces between its words.
 bool has_word(std::string_view list, std::string_view word);
 

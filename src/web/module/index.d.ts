@@ -279,7 +279,10 @@ export interface BlendWords {
   sheet?: string;
   /** What the rows of a sheet may lack of its initial mass (1%). */
   loss?: number | string;
-  /** Take all masses to D significant digits before anything else. */
+  /**
+   * Take all masses, or the values of a column that passes or is cumulative, to D significant digits before anything
+   * else.
+   */
   round?: number | string;
 }
 
@@ -315,7 +318,10 @@ export interface ConvertWords {
   sheet?: string;
   /** What the rows of a sheet may lack of its initial mass (1%). */
   loss?: number | string;
-  /** Take all masses to D significant digits before anything else. */
+  /**
+   * Take all masses, or the values of a column that passes or is cumulative, to D significant digits before anything
+   * else.
+   */
   round?: number | string;
 }
 // End of the options.
