@@ -139,15 +139,14 @@ void add_overlap(std::vector<std::string> &history, const CutPart &coarse, const
   for (const auto &[i, j] : o.both) {
     const Rational of_coarse = share_passing(coarse.of.gradation, i),
                    of_fine = share_passing(fine.of.gradation, j) * factor;
-    if (of_fine > 1)
-      throw InputError(
-          fmt::format("{}: {} passes {} in it, measured by {}, and no more than 100 % can: "
-                      "check the unit of {} and the order of the files, or leave out its rows above {}",
-                      fine.of.name, shown_percent(of_fine), shown(coarse.sizes[i], unit), coarse.of.name,
-                      option("at"), shown(at, unit)));
     history.push_back(fmt::format("compared at {}: {} passes in {}, {} in {}", shown(coarse.sizes[i], unit),
                                   shown_percent(of_coarse), coarse.of.name, shown_percent(of_fine),
                                   fine.of.name));
+    if (of_fine > 1)
+      history.push_back(
+          fmt::format("more than 100 % passes {} in {}, measured by {}: check the unit of {} and "
+                      "the order of the files",
+                      shown(coarse.sizes[i], unit), fine.of.name, coarse.of.name, option("at")));
   }
   if (o.both.empty() && !(o.left_out_of_coarse.empty() && o.left_out_of_fine.empty()))
     history.emplace_back("the two have no size in common beside the joint: nothing is compared");

@@ -6,9 +6,17 @@
 #include <bitset>
 
 namespace mdm {
+namespace {
+
+bool begins_with(std::string_view text, std::string_view written) {
+  return text.size() >= written.size() && text[written.size() - 1] == written.back() &&
+         text.starts_with(written);
+}
+
+} // namespace
 
 std::string spelled_plainly(std::string_view text, std::span<const Spelling> spellings) {
-  // Most letters begin none of them.
+  // Most letters begin none of them, and many of them begin alike.
   const auto byte = [](std::string_view of) { return static_cast<unsigned char>(of.front()); };
   std::bitset<256> begins;
   for (const Spelling &spelling : spellings)
@@ -17,7 +25,7 @@ std::string spelled_plainly(std::string_view text, std::span<const Spelling> spe
   while (!text.empty()) {
     const auto found = begins[byte(text)]
                            ? std::find_if(spellings.begin(), spellings.end(),
-                                          [text](const Spelling &s) { return text.starts_with(s.written); })
+                                          [text](const Spelling &s) { return begins_with(text, s.written); })
                            : spellings.end();
     if (found == spellings.end()) {
       plain += lower(text.front());

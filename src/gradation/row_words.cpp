@@ -5,6 +5,7 @@
 #include "text/lines.hpp"
 
 #include <algorithm>
+#include <unordered_set>
 #include <vector>
 
 namespace mdm {
@@ -94,6 +95,15 @@ constexpr std::string_view filler =
     "tamis "
     "tamiz malla setaccio vaglio mesh test us through over ";
 
+std::unordered_set<std::string_view> all_known_words() {
+  std::unordered_set<std::string_view> known;
+  for (const std::string_view list : {pan, washing, gone, loss, total, initial, before, after, dry, mass,
+                                      sample, sieving, passing, container, moist, filler})
+    for (const std::string_view word : listed_words(list))
+      known.insert(word);
+  return known;
+}
+
 class Words {
 public:
   explicit Words(std::string_view text) : all_(words_of(text)) {}
@@ -104,11 +114,8 @@ public:
     return std::all_of(all_.begin(), all_.end(), [](const std::string &word) {
       if (std::any_of(word.begin(), word.end(), is_digit))
         return true;
-      for (const std::string_view list : {pan, washing, gone, loss, total, initial, before, after, dry, mass,
-                                          sample, sieving, passing, container, moist, filler})
-        if (has_word(list, word))
-          return true;
-      return word.size() <= 2; // a symbol
+      static const std::unordered_set<std::string_view> known = all_known_words();
+      return known.contains(word) || word.size() <= 2; // a symbol
     });
   }
   bool have_two(std::string_view first, std::string_view second) const {

@@ -111,14 +111,15 @@ def join(rng, folder, n):
     above = any(m for s, m in fine if s >= at)
     both = [s for s in c.sizes() if s in f.sizes() and s > 0 and (s < at or s > at and above)]
     expected = None
-    # Some of the coarse one is above the joint, and no size passes more than all.
-    if pc and pf and pc < 1 and all(f.passing(s) * pc <= pf for s in both):
+    if pc and pf and pc < 1: # some of the coarse one is above the joint
         expected = lambda x: c.passing(x) if x >= at else (None if f.passing(x) is None else pc * f.passing(x) / pf)
     result = run("--join", write(folder, "c.csv", coarse), write(folder, "f.csv", fine), "--at", f"{decimal(at * 1000)}um")
     compare(result, expected, set(c.sizes()) | set(f.sizes()), f"join {n}")
     if expected:
         compared = [line for line in result.stdout.splitlines() if line.startswith("# compared at")]
         check(len(compared) == len(both), f"join {n}: compared {compared}, both have {both}")
+        beyond = [line for line in result.stdout.splitlines() if line.startswith("# more than 100 % passes")]
+        check(len(beyond) == sum(f.passing(s) * pc > pf for s in both), f"join {n}: {beyond}")
 
 
 def split(rng, folder, n):
