@@ -57,7 +57,7 @@ std::string counted(std::size_t fields) {
 
 /// Among the names of sieves only metric openings are numbers, and only their units end so.
 bool is_metric(std::string_view sieve) {
-  return lower(sieve.back()) == 'm';
+  return sieve.ends_with('m') || sieve.ends_with('M');
 }
 
 } // namespace

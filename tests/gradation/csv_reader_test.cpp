@@ -88,6 +88,11 @@ TEST_CASE("CSV: below a sieve header, blanks between # and a number make no comm
                  "sand.csv:2: sieve '#201' is no sieve"));
 }
 
+TEST_CASE("CSV: a row of a sieve table without a name is refused") {
+  CHECK(contains(refusal("sieve,passing_percent\n1.18 mm,100\nNo. 30,97\n,# ASTM\n"),
+                 "sand.csv:4: sieve '' is no sieve"));
+}
+
 TEST_CASE("CSV: quotes inside a quoted field are doubled") {
   CHECK(text(read("sieve,mass\n\"3/8\"\"\",1\n\"1 1/2\"\"\",0\n").sizes()) == "9.5 37.5");
   CHECK(contains(refusal("sieve,mass\n\"3/8\"\",1\n1 in,0\n"), "sand.csv:2: a quoted field does not end"));
