@@ -6,6 +6,7 @@
 #include "gradation/lab_values.hpp"
 #include "gradation/number_shares.hpp"
 #include "gradation/weighed_sieves.hpp"
+#include "gradation/words_above.hpp"
 #include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
@@ -142,6 +143,8 @@ Table read_lab_table(const Cells &cells, const Source &source, const std::string
   if (!columns)
     refuse_table(cells, reading, source);
   refuse_number_shares(cells, columns->above, source);
+  if (!reading.columns && !reading.kind)
+    check_words_of_sums(cells, *columns, source);
   if (!reading.columns)
     refuse_table_above(cells, *columns, source);
   LabRows rows = read_lab_rows(cells, std::move(*columns), reading, source);

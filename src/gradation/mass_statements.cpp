@@ -270,8 +270,9 @@ private:
     for (std::size_t i = 0; i < row_.cells.size(); ++i) {
       const bool is_alone = i + 1 >= row_.cells.size() || !number_cell(row_.cell(i + 1));
       const std::optional<NumberCell> number = number_cell(next_->cell(i));
-      if (!is_alone || !number || number_cell(row_.cell(i)) ||
-          row_words(row_.cell(i)).meaning == RowMeaning::none)
+      const bool is_of_mass = row_words(row_.cell(i)).meaning != RowMeaning::none ||
+                              unit_in_header(row_.cell(i)) == ColumnUnit::mass;
+      if (!is_alone || !number || number_cell(row_.cell(i)) || !is_of_mass)
         continue;
       label_ = row_.cell(i);
       unit_ = {};

@@ -147,7 +147,8 @@ Rational RowSizes::row_size(std::string_view cell) {
   if (cell == date_cell)
     throw InputError("a date stands where a sieve belongs, as a spreadsheet makes one of 3/8: make the cell "
                      "text and write it again, 3/8 in");
-  if (is_above_or_below(cell))
+  const bool passes = cell.size() > 1 && cell.front() == '-' && (is_digit(cell[1]) || cell[1] == '.');
+  if (is_above_or_below(cell) || (passes && columns_.sizes.unit != ColumnUnit::phi))
     throw InputError(
         fmt::format("the size {} is a range: write pan for what passes the finest sieve, and the opening of "
                     "the sieve for what stays on it",

@@ -84,7 +84,8 @@ constexpr std::string_view splitting =
 constexpr std::string_view telling =
     "sample samples specimen specimens probe proben borehole boring bohrung bore hole bh sondage station "
     "site "
-    "location depth tiefe profondeur profondita echantillon muestra campione run";
+    "location depth tiefe profondeur profondita echantillon muestra campione run layer schicht couche capa "
+    "strato";
 constexpr std::string_view beside_telling = "id no nr number name code ref label lab test m ft of from to ";
 /// Words that change nothing.
 constexpr std::string_view filler =
@@ -202,6 +203,19 @@ bool has_sign_of_passing(std::string_view text) {
   return false;
 }
 
+/// `1/4 of what passes was sieved`; `1/4 in` is a sieve.
+bool has_fraction_of(std::string_view text) {
+  for (std::size_t at = text.find("1/"); at != std::string_view::npos; at = text.find("1/", at + 1)) {
+    const std::size_t first = at + 2;
+    const std::size_t end = std::min(text.find_first_not_of("0123456789", first), text.size());
+    const std::string behind = plain_words(text.substr(end));
+    if (end > first && (at == 0 || !is_digit(text[at - 1])) &&
+        has_word("of der des vom von du de del della", behind.substr(0, behind.find(' '))))
+      return true;
+  }
+  return false;
+}
+
 /// What is weighed in a container, or that alone.
 RowMeaning of_container(const Words &words) {
   if (words.have(pan) || words.have(moist))
@@ -287,7 +301,7 @@ bool speaks_of_splitting(std::string_view text) {
   return (words.have(splitting) && !words.have_two("split", "spoon barrel tube") &&
           !words.have_two("reduced", "level")) ||
          words.have_two("sub", "sample samples") || words.have_part_of_mass() || words.have_part_sieved() ||
-         words.have_factor_of_part() ||
+         words.have_factor_of_part() || has_fraction_of(text) ||
          (words.have("portion prise") && (words.have(passing) || has_sign_of_passing(text)));
 }
 

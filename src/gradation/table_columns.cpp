@@ -7,6 +7,7 @@
 #include "gradation/row_words.hpp"
 #include "gradation/unread_columns.hpp"
 #include "gradation/weighed_sieves.hpp"
+#include "gradation/words_above.hpp"
 #include "text/lines.hpp"
 #include "text/nearest_name.hpp"
 #include "text/option_name.hpp"
@@ -457,25 +458,6 @@ void refuse_second_sample(const TableColumns &columns, std::size_t line, const S
       source.refuse(line, fmt::format("the columns {} and {} may be of two samples: choose one with {} "
                                       "SIZE,VALUE",
                                       in_quotes(columns.value_name), in_quotes(other), option("columns")));
-}
-
-/// The cell above a header, or the one to its left that is merged with it, may say more than the header:
-/// `Cumulative` above `Retained (g)`.
-void check_words_above(const Cells &cells, std::size_t row, const TableColumns &columns,
-                       const Source &source) {
-  if (row == 0 || cells.rows[row].below_gap)
-    return;
-  const CellRow &above = cells.rows[row - 1];
-  std::size_t place = columns.value;
-  while (place > columns.size + 1 && above.cell(place).empty())
-    --place;
-  const std::optional<HeaderMeaning> with =
-      header_meaning(std::string(above.cell(place)) + " " + columns.value_name);
-  if (with && !above.cell(place).empty() && with->meaning != columns.values.meaning)
-    source.refuse(above.line,
-                  fmt::format("{} is above the header {}, which means another thing with it: write the whole "
-                              "header into one cell",
-                              in_quotes(above.cell(place)), in_quotes(columns.value_name)));
 }
 
 } // namespace

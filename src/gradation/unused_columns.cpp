@@ -240,7 +240,7 @@ void UnusedColumns::check_samples(const std::vector<const CellRow *> &sieves, Co
   for (const UnusedColumn &column : common_) {
     const bool may_be_parts =
         values == ColumnMeaning::retained && has_word("test part portion stage", plain_words(column.name));
-    if (!names_samples(column.name) && !may_be_parts)
+    if (!names_samples(column.name) && plain_words(column.name) != "id" && !may_be_parts)
       continue;
     std::map<std::string, std::size_t> rows;
     for (const CellRow *sieve : sieves)

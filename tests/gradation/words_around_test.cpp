@@ -23,7 +23,7 @@ TEST_CASE("a table above the one that is read is not passed over") {
 
 TEST_CASE("rows of several samples are no stack of sieves") {
   const std::string rows_of_two = "A,20,0\nA,10,500\nB,4,0\nB,2,120\n";
-  for (const std::string name : {"Sample", "Borehole", "Specimen ID", "Lab No. of sample"}) {
+  for (const std::string name : {"Sample", "Borehole", "Specimen ID", "Lab No. of sample", "Layer", "ID"}) {
     INFO(name);
     CHECK(
         contains(refusal(name + "," + header + rows_of_two), "names several samples or parts, 'A' and 'B'"));
@@ -349,6 +349,34 @@ TEST_CASE("a stated mass that is more than all rows is not passed over") {
                                   "Dry mass (before): 570 g\nDry mass (after): 500 g"})
     CHECK(contains(refusal(lines + "\n" + header + washed_stack), "more than the 500 of all rows"));
   CHECK(masses("Mass of tin + wet soil (g),700\n" + header + washed_stack) == "8 12 35 70 120 150 80 25 0");
+}
+
+TEST_CASE("a mass above the table whose label is in the row above it is not passed over") {
+  CHECK(contains(refusal("M1 (g),M2 (g)\n570,500\n" + header + washed_stack),
+                 "'M1 (g)' is 570, more than the 500 of all rows"));
+}
+
+TEST_CASE("a cell above the header of values may say that they are others") {
+  const std::string percents = "Sieve (mm),Percent passing\n4,100\n2,80\n1,20\n";
+  for (const std::string words : {",Number", ",Counts", ",Cumulative retained"})
+    CHECK(contains(refusal(words + "\n" + percents), "is above the header 'Percent passing'"));
+  CHECK(contains(refusal(",Wet mass\n" + header + rows), "is above the header"));
+  CHECK(masses(",Sample A\n" + percents) == masses(percents));
+}
+
+TEST_CASE("words that say that values are cumulative are not passed over") {
+  for (const std::string words :
+       {"Results are cumulative", "The retained masses are cumulative", "Die Rueckstaende sind kumuliert"}) {
+    CHECK(contains(refusal(words + "\n" + header + washed_stack), "say --kind cumulative if it is"));
+    CHECK(contains(refusal(header + washed_stack + "\n" + words + "\n"), "say --kind cumulative if it is"));
+  }
+  for (const std::string words : {"Cumulative particle size distribution", "Masses are not cumulative"})
+    CHECK(masses(words + "\n" + header + washed_stack) == "8 12 35 70 120 150 80 25 0");
+}
+
+TEST_CASE("a part that was sieved for the whole is told by its fraction") {
+  for (const std::string words : {"1/4 of passing sieved", "Remark,1/8 of the fines"})
+    CHECK(contains(refusal(words + "\n" + header + washed_stack), "--split"));
 }
 
 TEST_CASE("what was washed through a coarser sieve than the finest need not pass that") {

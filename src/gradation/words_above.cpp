@@ -1,0 +1,88 @@
+#include "gradation/words_above.hpp"
+
+#include "gradation/plain_words.hpp"
+#include "gradation/row_words.hpp"
+#include "text/option_name.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace mdm {
+namespace {
+
+constexpr std::string_view of_sums =
+    "cumulative cum cumul cumulated accumulated kumuliert kumulierte kumulierter kumulativ aufsummiert "
+    "cumule "
+    "cumules cumulee cumulees acumulado acumulada acumulados acumuladas cumulato cumulata cumulati";
+
+bool speaks_of_sums(std::string_view cell) {
+  return has_any_word(of_sums, words_of(cell));
+}
+
+/// `Results are cumulative`: a sentence about values.
+bool states_sums(std::string_view cell) {
+  const std::vector<std::string> words = words_of(cell);
+  return has_any_word(of_sums, words) &&
+         has_any_word("is are results result values value mass masses weight weights data numbers sind werte "
+                      "massen ergebnisse rueckstaende sont valeurs resultats refus son valores masas "
+                      "resultados sono valori masse risultati",
+                      words) &&
+         !has_any_word("not non no nicht pas passing finer durchgang durchgaenge", words);
+}
+
+/// `Number` or `Counts` alone.
+bool is_number_alone(std::string_view cell) {
+  const std::vector<std::string> words = words_of(cell);
+  return !words.empty() && std::all_of(words.begin(), words.end(), [](const std::string &word) {
+    return has_word("number numbers count counts frequency anzahl haeufigkeit nombre numero frecuencia",
+                    word);
+  });
+}
+
+bool has_digit(const CellRow &row) {
+  return std::any_of(row.cells.begin(), row.cells.end(),
+                     [](const std::string &cell) { return std::any_of(cell.begin(), cell.end(), is_digit); });
+}
+
+} // namespace
+
+void check_words_above(const Cells &cells, std::size_t row, const TableColumns &columns,
+                       const Source &source) {
+  if (row == 0 || columns.value == 0 || cells.rows[row].below_gap)
+    return;
+  const CellRow &above = cells.rows[row - 1];
+  std::size_t place = columns.value;
+  while (place > columns.size + 1 && above.cell(place).empty())
+    --place;
+  const std::string_view words = above.cell(place);
+  const std::optional<HeaderMeaning> with = header_meaning(std::string(words) + " " + columns.value_name);
+  const bool are_retained = columns.values.meaning != ColumnMeaning::passing;
+  const bool is_labelled = !above.cell(place - 1).empty(); // `Operator,Number`
+  const bool says_otherwise =
+      !is_labelled && (is_number_alone(words) ||
+                       (are_retained ? speaks_of_moisture_or_container(words) : speaks_of_retaining(words)));
+  if (!words.empty() && ((with && with->meaning != columns.values.meaning) || says_otherwise))
+    source.refuse(above.line,
+                  fmt::format("{} is above the header {}, which means another thing with it: write the whole "
+                              "header into one cell",
+                              in_quotes(words), in_quotes(columns.value_name)));
+}
+
+void check_words_of_sums(const Cells &cells, const TableColumns &columns, const Source &source) {
+  const CellRow *header = columns.width == 0 ? nullptr : &cells.rows[columns.above];
+  if (columns.values.meaning != ColumnMeaning::retained ||
+      (header != nullptr && std::any_of(header->cells.begin(), header->cells.end(), speaks_of_sums)))
+    return;
+  for (const CellRow &row : cells.rows)
+    if (&row != header && !has_digit(row))
+      for (const std::string &cell : row.cells)
+        if (states_sums(cell))
+          source.refuse(row.line,
+                        fmt::format("{} may say that what is in {} is cumulative: say {} cumulative "
+                                    "if it is, else {} retained",
+                                    in_quotes(cell), in_quotes(columns.value_name), option("kind"),
+                                    option("kind")));
+}
+
+} // namespace mdm
