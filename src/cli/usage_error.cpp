@@ -77,6 +77,10 @@ std::string usage_error(const CLI::ParseError &error, const CLI::App &app) {
   constexpr std::string_view unconverted = "Could not convert: ";
   if (text.starts_with(unconverted))
     return quoted_between(text.substr(unconverted.size()), " = ", "", " does not serve");
+  constexpr std::string_view twice = ": At Most 1 required but received ";
+  if (const std::size_t at = text.find(twice); at != std::string::npos)
+    return printable(text.substr(0, at)) + ": given " + text.substr(at + twice.size()) +
+           " times: give it once";
   if (text.ends_with('}') && text.find(" not in {") != std::string::npos)
     return quoted_between(text, ": ", " not in ", " is not in ");
   return printable(text);

@@ -5,18 +5,27 @@
 #include <algorithm>
 
 namespace mdm {
+namespace {
+
+/// The characters of a text in UTF-8, whose further bytes begin with the bits 10.
+std::size_t characters(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+} // namespace
 
 std::string text_table(const std::vector<std::vector<std::string>> &lines, std::string_view alignment) {
   std::vector<std::size_t> width;
   for (const std::vector<std::string> &line : lines) {
     width.resize(std::max(width.size(), line.size()));
     for (std::size_t i = 0; i < line.size(); ++i)
-      width[i] = std::max(width[i], line[i].size());
+      width[i] = std::max(width[i], characters(line[i]));
   }
   std::string text;
   for (const std::vector<std::string> &line : lines) {
     for (std::size_t i = 0; i < line.size(); ++i) {
-      const std::string padding(width[i] - line[i].size(), ' ');
+      const std::string padding(width[i] - characters(line[i]), ' ');
       const bool left = alignment[std::min(i, alignment.size() - 1)] == '<';
       text.append("  ").append(left ? line[i] + padding : padding + line[i]);
     }

@@ -8,9 +8,9 @@
 
 namespace mdm {
 
-/// Lines of as many cells; columns are as wide as their longest cell, two spaces before each, flush left
-/// where `alignment` has `<` and flush right where it has `>`; its last letter stands for all further
-/// columns. No line ends with spaces.
+/// Lines of as many cells; columns are as wide as their longest cell in characters, two spaces before each,
+/// flush left where `alignment` has `<` and flush right where it has `>`; its last letter stands for all
+/// further columns. No line ends with spaces.
 std::string text_table(const std::vector<std::vector<std::string>> &lines, std::string_view alignment);
 
 /// The same, built up entry by entry below a line of titles.

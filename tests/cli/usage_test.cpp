@@ -100,6 +100,8 @@ TEST_CASE("an unknown option is named also where arguments are missing", "[cli]"
   check_refused(mdm({"verify", "--nosuch"}), "--nosuch");
   check_refused(mdm({"verify", "a", "--nosuch", "b"}), "--nosuch");
   check_refused(mdm({"verify", "a"}), "SAMPLE is required");
+  check_refused(mdm({"describe", "a", "--digits", "3", "--digits", "4"}),
+                "--digits: given 2 times: give it once");
 }
 
 TEST_CASE("a dash is standard input", "[cli]") {
