@@ -108,8 +108,9 @@ std::string ReportTables::analysis(const ReportedSample &sample) const {
 
 /// The percent that passes and the verdict.
 std::string ReportTables::verdict_cell(const SieveVerdict &s) const {
-  return fmt::format("{}{} {}", s.passing ? number(rounded(*s.passing, shown_digits)) : "?",
-                     s.is_interpolated ? "*" : "", texts_.verdict(s.verdict));
+  const std::string passing =
+      s.passing ? number(shown_beside_limits(*s.passing, s.limits.least, s.limits.most, shown_digits)) : "?";
+  return fmt::format("{}{} {}", passing, s.is_interpolated ? "*" : "", texts_.verdict(s.verdict));
 }
 
 /// A line a sieve of the specification, the coarsest first.

@@ -84,7 +84,7 @@ std::string range(const SieveVerdict &s, unsigned digits) {
 }
 
 std::string percent(const SieveVerdict &s, unsigned digits) {
-  return s.passing ? rounded(*s.passing, digits) : "not told";
+  return s.passing ? shown_beside_limits(*s.passing, s.limits.least, s.limits.most, digits) : "not told";
 }
 
 using Lines = std::vector<std::vector<std::string>>;
@@ -108,7 +108,7 @@ std::string limit_text(const std::optional<Rational> &limit) {
 }
 
 std::string value_text(const LimitVerdict &v, unsigned digits) {
-  return v.value ? rounded(*v.value, digits) : "not told";
+  return v.value ? shown_beside_limits(*v.value, v.limit.least, v.limit.most, digits) : "not told";
 }
 
 std::string limit_table(const Conformity &c, unsigned digits) {
@@ -180,6 +180,18 @@ Compliance ConformityReport::verdict() const {
   for (const Conformity &c : samples)
     verdicts.push_back(c.verdict);
   return worst(verdicts);
+}
+
+std::string shown_beside_limits(const Real &value, const std::optional<Rational> &least,
+                                const std::optional<Rational> &most, unsigned digits) {
+  constexpr unsigned most_digits = 30;
+  const bool is_low = least && compare(value, *least) == Order::less;
+  const bool is_high = most && compare(value, *most) == Order::greater;
+  std::string text = rounded(value, digits);
+  while (digits < most_digits &&
+         ((is_low && parse_decimal(text) >= *least) || (is_high && parse_decimal(text) <= *most)))
+    text = rounded(value, ++digits);
+  return text;
 }
 
 std::string conformity_json(const ConformityReport &r, unsigned digits) {

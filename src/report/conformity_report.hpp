@@ -17,6 +17,10 @@ struct ConformityReport {
 
 // `digits` >= 1 are significant digits.
 
+/// A value with so many digits, or with more where fewer would not show that it is beyond one of its limits.
+std::string shown_beside_limits(const Real &value, const std::optional<Rational> &least,
+                                const std::optional<Rational> &most, unsigned digits);
+
 /// One line of JSON, schema `mdm-judge-1`, without a newline at its end. Percents are enclosures ["lo","hi"],
 /// those of witnesses are exact fractions.
 std::string conformity_json(const ConformityReport &report, unsigned digits);

@@ -63,6 +63,18 @@ TEST_CASE("a verdict that hangs on the rounding is no pass and has a curve on ei
   CHECK(judged(good, {"--rounding", "10"}).exit_code == 1);
 }
 
+TEST_CASE("a percent that is beyond its limit is shown with the digits that tell it from the limit",
+          "[judge]") {
+  const TemporaryFolder folder;
+  const std::string limits =
+      folder.write("limits.csv", "size_mm,passing_min_percent,passing_max_percent\n2,90,100\n1,0,60\n");
+  const std::string sample = folder.write("s.csv", "size_mm,mass\n0.075,50000\n1,39999\n2,10001\n4,0\n");
+  CHECK(has(mdm({"judge", sample, "--spec", limits, "--digits", "4"}).out, " 89.999 "));
+  const std::string report = folder / "r.html";
+  CHECK(mdm({"report", sample, "--spec", limits, "-o", report}).exit_code == 1);
+  CHECK(has(read_file(report), "89.999 fail"));
+}
+
 TEST_CASE("masses are exact", "[judge]") {
   const std::string masses = "size_mm,mass\n9.5,0\n4.75,5\n2.36,7\n1.18,18\n0.6,25\n0.3,27\n0.15,14\n0,4\n";
   CHECK(judged(masses).exit_code == 0);
