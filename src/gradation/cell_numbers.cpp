@@ -30,6 +30,10 @@ bool may_be_thousands(std::string_view digits, char sign) {
 
 } // namespace
 
+bool is_zero(const NumberCell &number) {
+  return number.digits.find_first_of("123456789") == std::string_view::npos;
+}
+
 std::optional<NumberCell> number_cell(std::string_view cell) {
   const std::string_view text = without_spaces(cell);
   const std::size_t end = text.find_last_of("0123456789.,") + 1;

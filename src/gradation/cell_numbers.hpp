@@ -16,6 +16,8 @@ struct NumberCell {
 
 /// The number in a cell; nothing where there is anything else.
 std::optional<NumberCell> number_cell(std::string_view cell);
+/// True for `0`, `0.00` and the like.
+bool is_zero(const NumberCell &number);
 
 /// The decimal sign of all numbers of a table, which are shown to it before the first is read.
 class DecimalSign {

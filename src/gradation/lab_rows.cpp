@@ -4,6 +4,7 @@
 #include "gradation/decimal_commas.hpp"
 #include "gradation/plain_words.hpp"
 #include "gradation/row_sizes.hpp"
+#include "gradation/second_header.hpp"
 #include "gradation/sheet_remarks.hpp"
 #include "gradation/stated_numbers.hpp"
 #include "gradation/unread_columns.hpp"
@@ -43,10 +44,6 @@ TableSign sign_of(const Cells &cells, const TableColumns &columns,
 bool begins_with_sieve(std::string_view cell) {
   return !cell.empty() &&
          (is_digit(cell.front()) || cell.front() == '#' || plain_words(cell).starts_with("no "));
-}
-
-bool is_zero(const NumberCell &number) {
-  return number.digits.find_first_of("123456789") == std::string_view::npos;
 }
 
 bool has_number(const CellRow &row) {
@@ -151,13 +148,8 @@ private:
     const std::optional<TableColumns> next = columns_of_row(cells_, row_, further_reading(), source_);
     if (!next || reading_.columns)
       return false;
-    const HeaderMeaning &values = chosen_.meaning();
-    if (next->values.meaning != values.meaning || next->values.unit != values.unit ||
-        next->grams != columns_.grams)
-      refuse(fmt::format("a second table begins, with {} where the first has {}: leave one of them out",
-                         in_quotes(next->value_name), in_quotes(columns_.value_name)));
-    check_second_table(next->first_row);
-    check_new_columns(*next);
+    SecondHeader(cells_, row_, columns_, *next, source_)
+        .check(chosen_.meaning(), words_, !read_.table.sizes.empty(), beside_);
     read_.further_headers.push_back(row().line);
     columns_.size = next->size;
     columns_.value = next->value;
@@ -173,43 +165,6 @@ private:
     below_gap_ = false;
     words_ = WordsOfRows();
     return true;
-  }
-
-  /// What is retained below another heading may be of another sample, or of a part of the first, and so may
-  /// be a stack that begins with an empty sieve again.
-  void check_second_table(std::size_t first_row) const {
-    const bool are_retained = chosen_.meaning().meaning == ColumnMeaning::retained;
-    const std::optional<NumberCell> first = first_row < cells_.rows.size()
-                                                ? number_cell(cells_.rows[first_row].cell(columns_.value))
-                                                : std::nullopt;
-    if (are_retained && first && is_zero(*first) && !read_.table.sizes.empty())
-      refuse(fmt::format("a second table begins with a sieve that retains nothing: it may be of another "
-                         "sample, or of a part of "
-                         "the first, which mdm convert {} joins: leave one of them out, or its header if it "
-                         "is the same stack",
-                         option("split", OptionSpelling::program)));
-    const std::string_view words = words_.between_tables();
-    if (!words.empty() && (are_retained || words_.are_of_others()))
-      refuse(fmt::format(
-          "a second table begins below {}: it may be of another sample, or of a part of the first, which "
-          "mdm convert {} joins: leave one of them out, or the words between them",
-          in_quotes(words), option("split", OptionSpelling::program)));
-  }
-
-  /// A column of masses that the first header has not could be compared with a part of the table alone.
-  void check_new_columns(const TableColumns &next) const {
-    const auto refuse_new = [this](const std::string &name) {
-      refuse(fmt::format("a second table begins, with a column {} that the first has not: write both parts "
-                         "below one header, or leave the column out",
-                         in_quotes(name)));
-    };
-    for (const FurtherColumn &column : next.further)
-      if (!beside_.have(column))
-        refuse_new(column.name);
-    for (const UnusedColumn &column : next.others)
-      if ((may_hold_values(column.name) || UnusedColumns::names_mass(column.name)) &&
-          !is_among(column, columns_.others))
-        refuse_new(column.name);
   }
 
   /// The unit that was asked for is that of the first header.
