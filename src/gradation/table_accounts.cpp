@@ -80,9 +80,13 @@ void describe_fines(const OrderedAccounts &accounts, std::size_t c, std::vector<
 void describe_initial(const OrderedAccounts &accounts, std::size_t c, std::vector<std::string> &notes) {
   const std::optional<PrintedNumber> initial = in_unit_of(accounts.columns[c], accounts.stated.initial),
                                      whole = accounts.columns[c].whole();
-  if (initial && whole && agree(*whole, *initial))
-    notes.push_back(fmt::format("The masses add up to {} as {} says.", shown(initial->value),
-                                in_quotes(accounts.stated.initial->label)));
+  if (!initial || !whole || !agree(*whole, *initial))
+    return;
+  const std::string label = in_quotes(accounts.stated.initial->label);
+  notes.push_back(whole->value == initial->value
+                      ? fmt::format("The masses add up to {} as {} says.", shown(initial->value), label)
+                      : fmt::format("The masses add up to {}, {} says {}: their rounding may account for it.",
+                                    shown(whole->value), label, shown(initial->value)));
 }
 
 } // namespace

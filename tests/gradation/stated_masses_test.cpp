@@ -22,6 +22,15 @@ TEST_CASE("a mass in pounds, ounces or milligrams is refused") {
   CHECK(contains(refusal(header + rows + "Pan (lb),0.15\n"), "'Pan (lb)' is in another unit of mass"));
 }
 
+TEST_CASE("a stated mass that the rows have only within their rounding is told with both") {
+  const auto note = [](const std::string &stated) {
+    return read("Initial dry mass (g)," + stated + "\n" + header + rows).notes().back();
+  };
+  CHECK(note("430") == "The masses add up to 430 as 'Initial dry mass (g)' says.");
+  CHECK(note("431") ==
+        "The masses add up to 430, 'Initial dry mass (g)' says 431: their rounding may account for it.");
+}
+
 TEST_CASE("a tare is taken off the mass before washing and after it") {
   const std::string tare = "Tare (g),40\n", before = "Tare + dry soil before wash (g),540\n",
                     after = "Tare + dry soil after wash (g),470\n";
