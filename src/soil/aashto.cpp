@@ -81,7 +81,7 @@ Available<AashtoGroup> classify_aashto(const GradingCurve &curve,
     Asked a{whole_percent(*passing_2), whole_percent(*passing_425), 0, std::nullopt, 0};
     if (limits) {
       a.liquid = nearest_even(limits->liquid);
-      a.plasticity = nearest_even(limits->liquid - limits->plastic);
+      a.plasticity = *a.liquid - nearest_even(limits->plastic);
     }
     const auto with_fines = [&a](const Real &share) {
       a.fines = whole_percent(share);

@@ -100,6 +100,9 @@ TEST_CASE("percents and limits are rounded to whole numbers, halves to the even 
   CHECK(group(soil_of("20", "60", "100"), limits("40.5", "35")) == "A-2-4(0)");
   CHECK(group(soil_of("20", "60", "100"), limits("40.51", "35")) == "A-2-5(0)");
   CHECK(group(soil_of("5", "60", "100"), limits("20", "19.5")) == "A-3(0)");
+  // 11 is the difference of 41 and 30, 10 that of 40.6 and 30.4 rounded.
+  CHECK(group(soil_of("20", "60", "100"), limits("40.6", "30.4")) == "A-2-7(0)");
+  CHECK(group(soil_of("20", "60", "100"), limits("40.4", "29.6")) == "A-2-4(0)");
 }
 
 TEST_CASE("without limits the fines are nonplastic, and an index of the liquid limit is not known",
