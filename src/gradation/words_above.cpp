@@ -2,6 +2,7 @@
 
 #include "gradation/plain_words.hpp"
 #include "gradation/row_words.hpp"
+#include "text/lines.hpp"
 #include "text/option_name.hpp"
 
 #include <fmt/core.h>
