@@ -1,5 +1,6 @@
 #include "ask/export_report.hpp"
 
+#include "number/counted.hpp"
 #include "particles/triaxial_shear.hpp"
 #include "text/file_names.hpp"
 #include "text/lines.hpp"
@@ -142,10 +143,10 @@ void check_wanted(const ExportTexts &c, const ExportFormat &format, const Partic
 
 std::string cost_guide(const ExportFormat &format, const ParticleSet &set, const Placement *start,
                        const Elasticity &e) {
-  std::string text = fmt::format(
-      "{} particle{}; Rayleigh time {} s (E = {} Pa, nu = {}): take some 20 % of it as time step\n",
-      to_string(set.particles()), set.particles() == 1 ? "" : "s", approximate(rayleigh_time(set, e), 3),
-      short_decimal(e.young), short_decimal(e.poisson));
+  std::string text =
+      fmt::format("{}; Rayleigh time {} s (E = {} Pa, nu = {}): take some 20 % of it as time step\n",
+                  counted(set.particles()), approximate(rayleigh_time(set, e), 3), short_decimal(e.young),
+                  short_decimal(e.poisson));
   if (format.bytes > 0)
     text += fmt::format("memory of {}: some {} ({} bytes a particle, more where sizes are far apart)\n",
                         format.name, bytes_text(Integer(set.particles() * format.bytes)), format.bytes);

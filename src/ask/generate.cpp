@@ -1,6 +1,7 @@
 #include "ask/generate.hpp"
 
 #include "ask/option_values.hpp"
+#include "number/counted.hpp"
 #include "text/file_names.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
@@ -330,9 +331,9 @@ GeneratedSet generated(const GenerateTexts &c, const ReadCurve &read) {
   if (c.table)
     set.table = small_natural("table", *c.table, 2, most_table);
   add_curve(c, read, set);
-  set.terms += fmt::format(", at least {} particle{} in each and {} in all, dimension {}",
-                           to_string(set.wanted.min_per_class), set.wanted.min_per_class == 1 ? "" : "s",
-                           to_string(set.wanted.at_least), set.wanted.dimension);
+  set.terms +=
+      fmt::format(", at least {} in each and {} in all, dimension {}", counted(set.wanted.min_per_class),
+                  to_string(set.wanted.at_least), set.wanted.dimension);
   if (set.wanted.largest_share)
     set.terms += fmt::format(", no particle above {} % of its class",
                              to_decimal(Rational(100 * *set.wanted.largest_share)));

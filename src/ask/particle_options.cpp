@@ -56,4 +56,13 @@ ParticleOptions ParticleTexts::reading(SizeUnit target) const {
   return o;
 }
 
+ParticleOptions read_as_gradation(const OptionText &unit) {
+  ParticleOptions o;
+  o.says_otherwise = option("unit") + " says";
+  o.unit_option = "unit";
+  if (unit)
+    o.unit = size_unit_of("unit", *unit);
+  return o;
+}
+
 } // namespace mdm

@@ -21,4 +21,8 @@ struct ParticleTexts {
   ParticleOptions reading(SizeUnit target) const;
 };
 
+/// How a file of particles is read as a gradation, of which only its unit is asked.
+/// \throws InputError where that is no unit
+ParticleOptions read_as_gradation(const OptionText &unit);
+
 } // namespace mdm

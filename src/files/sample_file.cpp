@@ -2,7 +2,7 @@
 
 #include "answer/answer_sample.hpp"
 #include "answer/generated_reader.hpp"
-#include "ask/option_values.hpp"
+#include "ask/particle_options.hpp"
 #include "files/packing_file.hpp"
 #include "files/paths.hpp"
 #include "files/progress_line.hpp"
@@ -184,13 +184,9 @@ UnderstoodGradation read_any(const std::string &path, const ReadingTexts &readin
             false};
   }
   if (reading.is_unit_at_most() && (is_gsd(begin) || told_format(begin))) {
-    ParticleOptions options;
-    options.says_otherwise = option("unit") + " says";
-    options.unit_option = "unit";
-    if (reading.unit)
-      options.unit = size_unit_of("unit", *reading.unit);
     SampleSieves sieves;
-    const std::vector<std::string> notes = read_sample_file(path, options, sieves, quiet);
+    const std::vector<std::string> notes =
+        read_sample_file(path, read_as_gradation(reading.unit), sieves, quiet);
     return {sieves.gradation(stem(path), SizeUnit::mm, notes, classes),
             "file of particles",
             "those of the particles",

@@ -7,7 +7,6 @@
 #include "gradation/second_header.hpp"
 #include "gradation/sheet_remarks.hpp"
 #include "gradation/stated_numbers.hpp"
-#include "gradation/unread_columns.hpp"
 #include "gradation/unused_columns.hpp"
 #include "gradation/words_of_rows.hpp"
 #include "text/lines.hpp"

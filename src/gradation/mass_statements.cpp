@@ -54,10 +54,6 @@ std::string_view last_digits(std::string_view text) {
   return text.substr(before + 1, last - before);
 }
 
-bool holds_digit(std::string_view text) {
-  return std::any_of(text.begin(), text.end(), is_digit);
-}
-
 /// A label and the number with its unit at its end: `Wash loss 70 g`, `Wash loss 14 %`; nothing where it does
 /// not end so, as `Dry mass M1 [g]` does.
 std::optional<std::pair<std::string_view, std::string_view>> split_at_mass(std::string_view cell) {
@@ -176,8 +172,7 @@ private:
     }
     if (!stated_ && must_be_read(label_) && is_symbol(cell))
       return;
-    if (!stated_ && must_be_read(label_) && holds_digit(cell) &&
-        row_words(cell).meaning == RowMeaning::none) {
+    if (!stated_ && must_be_read(label_) && has_digit(cell) && row_words(cell).meaning == RowMeaning::none) {
       state_unclear(label_, cell);
       stated_ = true;
       return;
@@ -206,7 +201,7 @@ private:
       stated_ = true;
     } else if (number) {
       state(*number, behind, row_, i);
-    } else if (!is_numbered && must_be_read(label) && holds_digit(behind)) {
+    } else if (!is_numbered && must_be_read(label) && has_digit(behind)) {
       state_unclear(label, behind);
       stated_ = true;
     } else if (may_state_fines(cell)) {
@@ -215,7 +210,7 @@ private:
       s.is_sentence = true;
       statements_.push_back(std::move(s));
       stated_ = true;
-    } else if (speaks_of_splitting(cell) && holds_digit(cell)) {
+    } else if (speaks_of_splitting(cell) && has_digit(cell)) {
       MassStatement s{RowMeaning::none, std::string(cell), std::string(last_digits(cell))};
       s.line = row_.line;
       statements_.push_back(std::move(s));

@@ -80,6 +80,11 @@ bool has_any_word(std::string_view list, const std::vector<std::string> &words) 
                      [list](const std::string &word) { return has_word(list, word); });
 }
 
+bool has_only_words(std::string_view list, const std::vector<std::string> &words) {
+  return !words.empty() && std::all_of(words.begin(), words.end(),
+                                       [list](const std::string &word) { return has_word(list, word); });
+}
+
 bool has_two_words(std::string_view first, std::string_view second, const std::vector<std::string> &words) {
   for (std::size_t i = 0; i + 1 < words.size(); ++i)
     if (has_word(first, words[i]) && has_word(second, words[i + 1]))

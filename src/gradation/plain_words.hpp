@@ -27,6 +27,9 @@ bool has_word(std::string_view list, std::string_view word);
 /// True where one of the words is one of `list`.
 bool has_any_word(std::string_view list, const std::vector<std::string> &words);
 
+/// True where there are words, and each is one of `list`.
+bool has_only_words(std::string_view list, const std::vector<std::string> &words);
+
 /// True where one of the words is one of `first`, and the next one of `second`.
 bool has_two_words(std::string_view first, std::string_view second, const std::vector<std::string> &words);
 

@@ -36,9 +36,6 @@ std::optional<std::pair<std::string_view, std::string_view>> range_ends(std::str
   const auto ends = [cell](std::size_t at, std::size_t length) {
     return std::pair(without_spaces(cell.substr(0, at)), without_spaces(cell.substr(at + length)));
   };
-  const auto has_digit = [](std::string_view text) {
-    return std::any_of(text.begin(), text.end(), is_digit);
-  };
   for (const std::string_view word : words)
     if (const std::size_t at = cell.find(word); at != std::string_view::npos)
       if (const auto both = ends(at, word.size()); has_digit(both.first) && has_digit(both.second))

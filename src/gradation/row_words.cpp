@@ -113,10 +113,8 @@ public:
   /// True where each word is known or has a digit.
   bool are_known() const {
     return std::all_of(all_.begin(), all_.end(), [](const std::string &word) {
-      if (std::any_of(word.begin(), word.end(), is_digit))
-        return true;
       static const std::unordered_set<std::string_view> known = all_known_words();
-      return known.contains(word) || word.size() <= 2; // a symbol
+      return has_digit(word) || known.contains(word) || word.size() <= 2; // a symbol
     });
   }
   bool have_two(std::string_view first, std::string_view second) const {
@@ -208,9 +206,9 @@ bool has_fraction_of(std::string_view text) {
   for (std::size_t at = text.find("1/"); at != std::string_view::npos; at = text.find("1/", at + 1)) {
     const std::size_t first = at + 2;
     const std::size_t end = std::min(text.find_first_not_of("0123456789", first), text.size());
-    const std::string behind = plain_words(text.substr(end));
-    if (end > first && (at == 0 || !is_digit(text[at - 1])) &&
-        has_word("of der des vom von du de del della", behind.substr(0, behind.find(' '))))
+    const std::vector<std::string> behind = words_of(text.substr(end));
+    if (end > first && (at == 0 || !is_digit(text[at - 1])) && !behind.empty() &&
+        has_word("of der des vom von du de del della", behind.front()))
       return true;
   }
   return false;

@@ -66,9 +66,7 @@ bool names_remark(std::string_view cell) {
       "modulus modul span sorting skewness kurtosis median mode percent of the de la du mm um m s cm cm3 m3 "
       "kg g mg c effective maximum max nominal size calibration "
       "equivalent group surface area";
-  const std::vector<std::string> words = words_of(cell);
-  return !words.empty() && std::all_of(words.begin(), words.end(),
-                                       [names](const std::string &word) { return has_word(names, word); });
+  return has_only_words(names, words_of(cell));
 }
 
 } // namespace mdm

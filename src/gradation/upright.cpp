@@ -29,9 +29,6 @@ std::optional<HeaderMeaning> meaning_of_row(const CellRow &row) {
 
 bool begins_with_sizes(const CellRow &row) {
   const std::optional<HeaderMeaning> meaning = meaning_of_row(row);
-  const auto has_digit = [](const std::string &cell) {
-    return std::any_of(cell.begin(), cell.end(), is_digit);
-  };
   return meaning && holds_sizes(*meaning) && std::any_of(row.cells.begin() + 1, row.cells.end(), has_digit);
 }
 

@@ -34,36 +34,31 @@ bool states_sums(std::string_view cell) {
 
 /// `Number` or `Counts` alone.
 bool is_number_alone(std::string_view cell) {
-  const std::vector<std::string> words = words_of(cell);
-  return !words.empty() && std::all_of(words.begin(), words.end(), [](const std::string &word) {
-    return has_word("number numbers count counts frequency anzahl haeufigkeit nombre numero frecuencia",
-                    word);
-  });
-}
-
-bool has_digit(const CellRow &row) {
-  return std::any_of(row.cells.begin(), row.cells.end(),
-                     [](const std::string &cell) { return std::any_of(cell.begin(), cell.end(), is_digit); });
+  return has_only_words("number numbers count counts frequency anzahl haeufigkeit nombre numero frecuencia",
+                        words_of(cell));
 }
 
 } // namespace
 
 void check_words_above(const Cells &cells, std::size_t row, const TableColumns &columns,
                        const Source &source) {
-  if (row == 0 || columns.value == 0 || cells.rows[row].below_gap)
+  if (row == 0 || cells.rows[row].below_gap)
     return;
   const CellRow &above = cells.rows[row - 1];
   std::size_t place = columns.value;
   while (place > columns.size + 1 && above.cell(place).empty())
     --place;
   const std::string_view words = above.cell(place);
+  if (words.empty())
+    return;
   const std::optional<HeaderMeaning> with = header_meaning(std::string(words) + " " + columns.value_name);
   const bool are_retained = columns.values.meaning != ColumnMeaning::passing;
-  const bool is_labelled = !above.cell(place - 1).empty(); // `Operator,Number`
+  // In the first column it may be a title, beside a label as in `Operator,Number` what that asks.
+  const bool is_alone = place > 0 && above.cell(place - 1).empty();
   const bool says_otherwise =
-      !is_labelled && (is_number_alone(words) ||
-                       (are_retained ? speaks_of_moisture_or_container(words) : speaks_of_retaining(words)));
-  if (!words.empty() && ((with && with->meaning != columns.values.meaning) || says_otherwise))
+      is_alone && (is_number_alone(words) ||
+                   (are_retained ? speaks_of_moisture_or_container(words) : speaks_of_retaining(words)));
+  if ((with && with->meaning != columns.values.meaning) || says_otherwise)
     source.refuse(above.line,
                   fmt::format("{} is above the header {}, which means another thing with it: write the whole "
                               "header into one cell",
@@ -76,7 +71,7 @@ void check_words_of_sums(const Cells &cells, const TableColumns &columns, const 
       (header != nullptr && std::any_of(header->cells.begin(), header->cells.end(), speaks_of_sums)))
     return;
   for (const CellRow &row : cells.rows)
-    if (&row != header && !has_digit(row))
+    if (&row != header && std::none_of(row.cells.begin(), row.cells.end(), has_digit))
       for (const std::string &cell : row.cells)
         if (states_sums(cell))
           source.refuse(row.line,

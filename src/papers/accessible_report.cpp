@@ -1,6 +1,7 @@
 #include "papers/accessible_report.hpp"
 
 #include "answer/json_values.hpp"
+#include "number/counted.hpp"
 #include "plot/ranges.hpp"
 #include "text/versions.hpp"
 
@@ -18,9 +19,8 @@ namespace {
 constexpr unsigned digits = 10;
 
 std::string terms(const AccessibleQuestion &q) {
-  return fmt::format("{} {} {}, at least {} particle{} in each and {} in all, at most {}, dimension {}",
-                     q.classes, name(q.classing), q.classes == 1 ? "class" : "classes",
-                     to_string(q.wanted.min_per_class), q.wanted.min_per_class == 1 ? "" : "s",
+  return fmt::format("{} {} {}, at least {} in each and {} in all, at most {}, dimension {}", q.classes,
+                     name(q.classing), q.classes == 1 ? "class" : "classes", counted(q.wanted.min_per_class),
                      to_string(q.wanted.at_least), to_string(q.at_most), q.wanted.dimension);
 }
 

@@ -1,4 +1,4 @@
-#include "ask/option_values.hpp"
+#include "ask/particle_options.hpp"
 #include "ask/reading_options.hpp"
 #include "particles/gsd.hpp"
 #include "particles/sample_sieves.hpp"
@@ -159,11 +159,7 @@ Gradation read_line(const py::bytes &line, const std::string &where, const std::
 /// The gradation of the particles in a file.
 Gradation read_sample(const py::bytes &content, const std::string &file,
                       const std::optional<std::string> &unit) {
-  ParticleOptions options;
-  options.says_otherwise = option("unit") + " says";
-  options.unit_option = "unit";
-  if (unit)
-    options.unit = size_unit_of("unit", *unit);
+  const ParticleOptions options = read_as_gradation(unit);
   const std::string_view text(content);
   const py::gil_scoped_release unlocked;
   SampleSieves sieves;

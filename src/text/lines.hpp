@@ -2,6 +2,7 @@
 /// \file
 /// Characters, lines and fields of delimited text.
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,9 @@ namespace mdm {
 
 inline bool is_digit(char c) {
   return c >= '0' && c <= '9';
+}
+inline bool has_digit(std::string_view text) {
+  return std::any_of(text.begin(), text.end(), is_digit);
 }
 inline bool is_blank(char c) {
   return c == ' ' || c == '\t';

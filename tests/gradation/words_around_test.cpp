@@ -361,6 +361,8 @@ TEST_CASE("a cell above the header of values may say that they are others") {
   for (const std::string words : {",Number", ",Counts", ",Cumulative retained"})
     CHECK(contains(refusal(words + "\n" + percents), "is above the header 'Percent passing'"));
   CHECK(contains(refusal(",Wet mass\n" + header + rows), "is above the header"));
+  CHECK(contains(refusal("Cumulative,\nMass retained (g),Sieve (mm)\n0,4\n300,2\n430,1\n"),
+                 "is above the header 'Mass retained (g)'"));
   CHECK(masses(",Sample A\n" + percents) == masses(percents));
 }
 
