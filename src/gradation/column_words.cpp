@@ -73,7 +73,7 @@ constexpr std::array vocabulary = {
     RoleWords{retained | cumulative, "rueckstandssumme summenrueckstand"},
     RoleWords{passing,
               "durchgang durchgaenge durchg siebdurchgang siebdurchgaenge durchgangssumme summendurchgang"},
-    RoleWords{cumulative, "kumuliert kumulierter kumulierte kumulativ kum"},
+    RoleWords{cumulative, "kumuliert kumulierter kumulierte kumulativ kum aufsummiert"},
     RoleWords{individual, "einzeln einzelner"},
     RoleWords{mass, "masse gewicht massenanteil"},
     RoleWords{material, "siebgut"},
@@ -117,7 +117,7 @@ constexpr std::array vocabulary = {
     RoleWords{grain, "particelle grani"},
     RoleWords{retained, "trattenuto trattenuta trattenuti"},
     RoleWords{passing, "passante passanti"},
-    RoleWords{cumulative, "cumulato cumulata cumulativo cumulativa"},
+    RoleWords{cumulative, "cumulato cumulata cumulati cumulativo cumulativa"},
     RoleWords{individual, "parziale parziali"},
     RoleWords{material, "massa materiale"},
     RoleWords{link, "della delle dei di il ogni"},
@@ -228,6 +228,15 @@ std::optional<WordsMeaning> meaning_of_words(std::vector<std::string> words, boo
   const bool may_be_either = (roles & (refusal | whole)) != 0 && (roles & (cumulative | individual)) == 0;
   return WordsMeaning{*meaning, (roles & individual) != 0,
                       may_be_either && *meaning == ColumnMeaning::retained};
+}
+
+bool is_word_of_sums(std::string_view word) {
+  return column_roles::roles_of(word) == column_roles::cumulative;
+}
+
+bool speaks_of_sums(std::string_view text) {
+  const std::vector<std::string> words = words_of(text);
+  return std::any_of(words.begin(), words.end(), is_word_of_sums);
 }
 
 } // namespace mdm

@@ -4,6 +4,7 @@
 
 #include "gradation/header_words.hpp"
 
+#include <string_view>
 #include <vector>
 
 namespace mdm {
@@ -18,5 +19,11 @@ struct WordsMeaning {
 /// they may mean two things but for is_unclear. `has_length` is true where the header also names a unit of
 /// length.
 std::optional<WordsMeaning> meaning_of_words(std::vector<std::string> words, bool has_length);
+
+/// True for a word that says of values that they are sums, such as `cumulative`.
+bool is_word_of_sums(std::string_view word);
+
+/// True for a text with such a word.
+bool speaks_of_sums(std::string_view text);
 
 } // namespace mdm

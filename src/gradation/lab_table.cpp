@@ -5,6 +5,7 @@
 #include "gradation/lab_accounts.hpp"
 #include "gradation/lab_values.hpp"
 #include "gradation/number_shares.hpp"
+#include "gradation/shown.hpp"
 #include "gradation/weighed_sieves.hpp"
 #include "gradation/words_above.hpp"
 #include "text/option_name.hpp"
@@ -12,6 +13,8 @@
 #include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
+
+#include <algorithm>
 
 namespace mdm {
 namespace {
@@ -32,6 +35,23 @@ void describe_columns(Table &table, const TableColumns &columns, const std::stri
   table.is_canonical = false;
   table.notes.insert(table.notes.begin(), fmt::format("Read as {}: sizes from {}; masses from {}.",
                                                       table.format, table.sizes_from, table.masses_from));
+}
+
+/// Sieves have no openings of metres, and no stone for which there is a class has a size of so many.
+void check_coarsest_opening(const Table &table, const TableColumns &columns, const Reading &reading,
+                            const Source &source) {
+  const Rational limit = 2500; // mm
+  if (reading.unit || table.root != 1)
+    return;
+  const auto coarsest = std::max_element(table.sizes.begin(), table.sizes.end());
+  if (coarsest == table.sizes.end() || *coarsest * in_mm(table.unit) <= limit)
+    return;
+  source.refuse(
+      table.lines[static_cast<std::size_t>(coarsest - table.sizes.begin())],
+      fmt::format("the header {} gives an opening of {}: correct the unit in it, or say {} {} if it "
+                  "is right",
+                  in_quotes(columns.size_name), shown(*coarsest, table.unit), option("unit"),
+                  name(table.unit)));
 }
 
 /// Columns, cells and rows that were not read, or not as they are shown.
@@ -151,6 +171,7 @@ Table read_lab_table(const Cells &cells, const Source &source, const std::string
   const ComparedValues compared = settle_values(rows, reading, source);
   Table &table = rows.table;
   table.id = id;
+  check_coarsest_opening(table, rows.columns, reading, source);
   settle_lab_values(table, {rows.columns.values, rows.columns.value_name, compared.are_confirmed}, reading,
                     source);
   describe_columns(table, rows.columns, cells.format);

@@ -1,6 +1,7 @@
 #include "gradation/table_columns.hpp"
 
 #include "gradation/cell_numbers.hpp"
+#include "gradation/column_words.hpp"
 #include "gradation/limit_columns.hpp"
 #include "gradation/mass_statements.hpp"
 #include "gradation/plain_words.hpp"
@@ -438,19 +439,12 @@ std::vector<std::string> common_words(std::string_view header) {
   return words;
 }
 
-/// `Cum. Mass (g)`: compared with the values in every reading.
-bool names_sums(std::string_view header) {
-  return has_any_word(
-      "cum cumul cumulative cumulated accumulated kum kumuliert cumule cumulee acumulado acumulada "
-      "cumulato cumulata",
-      words_of(header));
-}
-
-/// Refuses a second column of the same values, such as those of another sample; limits and tares are none.
+/// Refuses a second column of the same values, such as those of another sample. None are limits, tares and
+/// sums as in `Cum. Mass (g)`, which are compared with the values in every reading.
 void refuse_second_sample(const TableColumns &columns, std::size_t line, const Source &source) {
   const auto is_second = [&columns](const std::string &other) {
     return (has_words_of(other, columns.values) && row_words(other).meaning != RowMeaning::container &&
-            !is_limit(other) && !(may_hold_values(other) && names_sums(other))) ||
+            !is_limit(other) && !(may_hold_values(other) && speaks_of_sums(other))) ||
            (!other.empty() && common_words(other) == common_words(columns.value_name));
   };
   for (const auto &[place, other] : columns.others)

@@ -1,5 +1,6 @@
 #include "gradation/unread_columns.hpp"
 
+#include "gradation/column_words.hpp"
 #include "gradation/plain_words.hpp"
 #include "text/option_name.hpp"
 
@@ -12,11 +13,9 @@ namespace mdm {
 namespace {
 
 constexpr std::string_view of_values =
-    "mass masses masse massen weight weights wt gewicht gewichte peso pesos poids masa masas massa cum cumul "
-    "cumulative cumulated accumulated kum kumuliert cumule cumulee acumulado acumulada cumulato cumulata "
+    "mass masses masse massen weight weights wt gewicht gewichte peso pesos poids masa masas massa "
     "retained passing finer coarser corr adj norm recalc korr normalized normalised recalculated weighted "
-    "washed "
-    "corrected adjusted combined overall net netto total totals sum summe "
+    "washed corrected adjusted combined overall net netto total totals sum summe "
     "somme suma somma gesamt korrigiert korrigierte corrige corrigee corregido corregida corretto corretta";
 /// Words beside these that leave a column one of the sample's masses; any other may be of a target, a tare,
 /// an assay or the moisture.
@@ -78,7 +77,8 @@ bool may_hold_values(std::string_view header) {
   const std::vector<std::string> words = words_of(header);
   const auto is_value = [](const std::string &word) {
     const ColumnUnit unit = unit_of_words(word);
-    return unit == ColumnUnit::percent || unit == ColumnUnit::mass || has_word(of_values, word);
+    return unit == ColumnUnit::percent || unit == ColumnUnit::mass || is_word_of_sums(word) ||
+           has_word(of_values, word);
   };
   return std::any_of(words.begin(), words.end(), is_value) &&
          std::all_of(words.begin(), words.end(), [&is_value](const std::string &word) {

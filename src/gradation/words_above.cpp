@@ -1,5 +1,6 @@
 #include "gradation/words_above.hpp"
 
+#include "gradation/column_words.hpp"
 #include "gradation/plain_words.hpp"
 #include "gradation/row_words.hpp"
 #include "text/lines.hpp"
@@ -12,19 +13,10 @@
 namespace mdm {
 namespace {
 
-constexpr std::string_view of_sums =
-    "cumulative cum cumul cumulated accumulated kumuliert kumulierte kumulierter kumulativ aufsummiert "
-    "cumule "
-    "cumules cumulee cumulees acumulado acumulada acumulados acumuladas cumulato cumulata cumulati";
-
-bool speaks_of_sums(std::string_view cell) {
-  return has_any_word(of_sums, words_of(cell));
-}
-
 /// `Results are cumulative`: a sentence about values.
 bool states_sums(std::string_view cell) {
   const std::vector<std::string> words = words_of(cell);
-  return has_any_word(of_sums, words) &&
+  return speaks_of_sums(cell) &&
          has_any_word("is are results result values value mass masses weight weights data numbers sind werte "
                       "massen ergebnisse rueckstaende sont valeurs resultats refus son valores masas "
                       "resultados sono valori masse risultati",

@@ -32,6 +32,26 @@ TEST_CASE("A sum that the rows have by their rounding alone is told with both nu
       "The rows of 'Mass retained (g)' add up to 3.5, 'Total' says 4.5: their rounding may account for it.");
 }
 
+TEST_CASE("Openings of metres are refused unless the unit is said twice") {
+  const std::string sheet = "Sieve (m),Mass retained (g)\n37.5,0\n19,120\n4.75,80\n";
+  const std::string refused = refusal_with(sheet, {});
+  CHECK(refused ==
+        "sand.csv:2: the header 'Sieve (m)' gives an opening of 37.5 m: correct the unit in it, or say "
+        "--unit m if it is right");
+  Reading metres;
+  metres.unit = "m";
+  CHECK(read_with(sheet, metres).unit() == SizeUnit::m);
+  CHECK(text(read("Sieve (m),Mass retained (g)\n2.5,0\n0.019,120\n0.00475,80\n").sizes()) ==
+        "0.00475 0.019 2.5");
+  CHECK(text(read("size_m,mass\n37.5,0\n19,120\n").sizes()) == "19 37.5"); // canonical
+}
+
+TEST_CASE("A column of sums has any word for them") {
+  for (const char *header : {"Rückstand aufsummiert (g)", "Trattenuti cumulati (g)", "Cum. retained (g)"})
+    CHECK(text(read("Sieve (mm)," + std::string(header) + "\n4,0\n2,10\n1,30\nPan,60\n").masses()) ==
+          "30 20 10 0");
+}
+
 TEST_CASE("A German sieving: titles, semicolons, decimal commas, pan and sum") {
   const Gradation g =
       read("Siebanalyse nach DIN EN 933-1\nProbe:;BK 3/2\n\nSiebweite [mm];Rückstand [g];Bemerkung\n"
