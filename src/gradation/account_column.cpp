@@ -107,4 +107,25 @@ ColumnComparison compare(const AccountColumn &first, const AccountColumn &second
   return result;
 }
 
+bool may_have_shares(const AccountColumn &masses, const AccountColumn &shares) {
+  const std::optional<PrintedNumber> whole = masses.whole();
+  if (!whole || !masses.below || !masses.is_retained())
+    return true;
+  // A part and the rest are rounded apart: the part is the largest share where it is most and the rest least.
+  const auto may_be = [&whole](const PrintedNumber &part, const Interval &share) {
+    const Interval here = part.range(),
+                   rest = PrintedNumber{whole->value - part.value, whole->half - part.half}.range();
+    return share.lo * (here.hi + rest.lo) <= 100 * here.hi && 100 * here.lo <= share.hi * (here.lo + rest.hi);
+  };
+  std::size_t from = 0;
+  for (std::size_t to = 1; to <= masses.sieves.size(); ++to) {
+    const std::optional<PrintedNumber> mass = masses.between(from, to), share = shares.between(from, to);
+    if (mass && share && !may_be(*mass, share->range()))
+      return false;
+    if (masses.is_station(to) && shares.is_station(to))
+      from = to;
+  }
+  return true;
+}
+
 } // namespace mdm

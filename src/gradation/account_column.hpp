@@ -55,4 +55,9 @@ struct ColumnComparison {
 /// 1 where both have masses or both have shares.
 ColumnComparison compare(const AccountColumn &first, const AccountColumn &second);
 
+/// True where masses may have the shares of their own sum: between any two sieves that both columns tell
+/// apart, the masses rounded as printed make no share that is out of the printed one's rounding. True also
+/// where the sum is not known.
+bool may_have_shares(const AccountColumn &masses, const AccountColumn &shares);
+
 } // namespace mdm

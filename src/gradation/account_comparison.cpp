@@ -87,8 +87,7 @@ private:
       for (std::size_t b = a + 1; b < count; ++b)
         if (a == 0 || count <= most)
           compare_pair(a, b);
-    result_.some_agree = !agreeing_.empty();
-    if (result_.some_agree)
+    if (!agreeing_.empty())
       notes_.push_back(
           fmt::format("Columns that agree within the rounding of their digits: {}.", agreeing_.text()));
   }
@@ -106,6 +105,9 @@ private:
     if (below)
       return say(*below);
     if (a != 0 && b != 0)
+      return;
+    result_.some_agree = true;
+    if (is_lost_below(a, b))
       return;
     if (agreeing_.empty())
       agreeing_.add(column(0).header);
@@ -133,6 +135,39 @@ private:
     return !a_.rows.have_fines() && masses.adds_masses() && have_rest(other);
   }
 
+  /// True where two columns of one unit differ in what passes the finest sieve by no more than their
+  /// rounding, or than what was lost, which is in what passes and not in the pan.
+  bool may_be_lost(const AccountColumn &first, const AccountColumn &second) const {
+    const bool first_is_pan = first.is_retained() && !second.is_retained(),
+               second_is_pan = second.is_retained() && !first.is_retained();
+    if (agree(*first.below, *second.below) || lacks_wash(first, second) || lacks_wash(second, first))
+      return true;
+    if (first.is_share() && ((first_is_pan && first.below->value > second.below->value) ||
+                             (second_is_pan && second.below->value > first.below->value)))
+      return false;
+    return a_.loss.explains(*first.below, *second.below, first.whole()->value);
+  }
+
+  /// True for a share of the pan without what was washed out, which stands in no row, beside what passes.
+  bool lacks_wash(const AccountColumn &pan, const AccountColumn &passing) const {
+    const std::optional<StatedMass> &wash = a_.stated.wash_loss, &initial = a_.stated.initial;
+    return pan.is_share() && pan.is_retained() && a_.has_added_wash && wash && initial &&
+           initial->mass.value > initial->mass.half &&
+           agree(*pan.below + share_of(wash->mass, initial->mass), *passing.below);
+  }
+
+  /// True where they differ in it by more than their rounding, which is said.
+  bool is_lost_below(std::size_t a, std::size_t b) {
+    const AccountColumn &first = column(a), &second = column(b);
+    if (!first.below || !second.below || !share_unit(first, second) || agree(*first.below, *second.below) ||
+        lacks_wash(first, second) || lacks_wash(second, first))
+      return false;
+    notes_.push_back(fmt::format(
+        "{} passes the finest sieve by the column {}, {} by {}: the difference may have been lost.",
+        shown(first.below->value), quoted(a), shown(second.below->value), quoted(b)));
+    return true;
+  }
+
   /// What passes the finest sieve by two columns of one unit.
   std::optional<std::string> difference_below(std::size_t a, std::size_t b) const {
     const AccountColumn &first = column(a), &second = column(b);
@@ -141,7 +176,7 @@ private:
           "{} passes the finest sieve by the column {}, and {} has no row of the pan: write it",
           shown(second.below->value), quoted(b), quoted(a));
     if (!first.below || !second.below || !share_unit(first, second) || !first.whole() ||
-        a_.loss.explains(*first.below, *second.below, first.whole()->value))
+        may_be_lost(first, second))
       return std::nullopt;
     return fmt::format("{} passes the finest sieve by the column {}, {} by {}: {}", shown(first.below->value),
                        quoted(a), shown(second.below->value), quoted(b), remedy(first, second));
@@ -155,7 +190,14 @@ private:
         !shares.below || !sum || sum->value <= sum->half)
       return std::nullopt;
     const Rational percent = 100 * masses.below->value / sum->value;
-    if (a_.loss.explains(*shares.below, {percent, 100 * masses.below->half / sum->value}, 100))
+    const auto is_pan = [&](const PrintedNumber &mass) {
+      return a_.loss.explains(*shares.below, {100 * mass.value / sum->value, 100 * mass.half / sum->value},
+                              100);
+    };
+    // The share of the pan may be without what was washed out, which stands in no row.
+    const std::optional<PrintedNumber> wash =
+        a_.has_added_wash ? in_unit_of(masses, a_.stated.wash_loss) : std::nullopt;
+    if (is_pan(*masses.below) || (wash && is_pan(*masses.below - *wash)))
       return std::nullopt;
     return fmt::format("{} percent pass the finest sieve by the column {}, {} by {}: {}",
                        shown(shares.below->value), quoted(b), shown_hundredths(percent), quoted(a),
@@ -173,7 +215,7 @@ private:
       result_.whole = whole;
       return std::nullopt;
     }
-    if (agree(*sum, whole))
+    if (agree(*sum, whole) && may_have_shares(masses, column(b)))
       return std::nullopt;
     const bool is_rest_elsewhere = std::any_of(a_.columns.begin(), a_.columns.end(), have_rest);
     if (column(b).is_retained() && !column(b).below && !a_.rows.have_fines() && is_rest_elsewhere &&

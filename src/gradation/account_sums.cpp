@@ -12,13 +12,6 @@
 namespace mdm {
 namespace {
 
-/// A part of a whole in percent.
-PrintedNumber share_of(const PrintedNumber &part, const PrintedNumber &whole) {
-  const Rational low = 100 * part.range().lo / (whole.value + whole.half),
-                 high = 100 * part.range().hi / (whole.value - whole.half);
-  return {(low + high) / 2, (high - low) / 2};
-}
-
 class SumCheck {
 public:
   SumCheck(const OrderedAccounts &accounts, const ColumnsCompared &compared, const Source &source,
@@ -29,8 +22,10 @@ public:
   bool run() {
     for (std::size_t c = 0; c < a_.columns.size(); ++c)
       if (const std::optional<PrintedNumber> total = number_of(rows_.total(), c))
-        check_total(c, *total);
+        check_total(c, *total, *rows_.total());
     if (mass_column_) {
+      if (const std::optional<PrintedNumber> total = in_unit_of(column(*mass_column_), stated_.total))
+        check_total(*mass_column_, *total, *stated_.total);
       check_initial(*mass_column_);
       check_uncompared(*mass_column_);
       check_washed(*mass_column_);
@@ -60,47 +55,53 @@ private:
                                      : std::optional(static_cast<std::size_t>(found - a_.columns.begin()));
   }
 
-  void check_total(std::size_t c, const PrintedNumber &total) {
+  /// `where` has the label and the line.
+  template <typename Where>
+  void check_total(std::size_t c, const PrintedNumber &total, const Where &where) {
     const AccountColumn &here = column(c);
     if (!here.is_retained() && here.is_share()) {
       if (total.value != 0 && total.value != 100)
         notes_.push_back(
             fmt::format("{} has {} in the column {}, which is no sum of masses and was not compared.",
-                        in_quotes(rows_.total()->label), shown(total.value), quoted(c)));
+                        in_quotes(where.label), shown(total.value), quoted(c)));
       return;
     }
     const std::optional<PrintedNumber> whole = here.whole();
     if (here.meaning.meaning == ColumnMeaning::passing || !whole)
       return;
-    if (agree(*whole, total)) {
+    const std::string label = in_quotes(where.label);
+    const auto is_equal = [](const PrintedNumber &a, const PrintedNumber &b) { return a.value == b.value; };
+    const std::string_view exactly = is_equal(*whole, total) ? "" : sum_of_some(c, *whole, total, is_equal);
+    if (exactly.empty() && agree(*whole, total)) {
       adds_up_ = true;
       notes_.push_back(
           whole->value == total.value
-              ? fmt::format("The rows of {} add up to {} as {} says.", quoted(c), shown(total.value),
-                            in_quotes(rows_.total()->label))
+              ? fmt::format("The rows of {} add up to {} as {} says.", quoted(c), shown(total.value), label)
               : fmt::format("The rows of {} add up to {}, {} says {}: their rounding may account for it.",
-                            quoted(c), shown(whole->value), in_quotes(rows_.total()->label),
-                            shown(total.value)));
-    } else if (const std::string_view words = sum_of_some(c, *whole, total); !words.empty()) {
+                            quoted(c), shown(whole->value), label, shown(total.value)));
+    } else if (const std::string_view words =
+                   exactly.empty() ? sum_of_some(c, *whole, total, agree) : exactly;
+               !words.empty()) {
       notes_.push_back(fmt::format("The rows of {} add up to {}, {} says {}: {}.", quoted(c),
-                                   shown(whole->value), in_quotes(rows_.total()->label), shown(total.value),
-                                   words));
+                                   shown(whole->value), label, shown(total.value), words));
     } else {
-      compare_masses(c, *whole, total, *rows_.total(), a_.loss.is_asked() ? a_.loss.percent() : Rational(0));
+      compare_masses(c, *whole, total, where, a_.loss.is_asked() ? a_.loss.percent() : Rational(0));
     }
   }
 
   /// What a total is without the pan, without the wash loss, or with what was lost, or as the shares that
   /// decide have it; empty where it is none of these.
-  std::string_view sum_of_some(std::size_t c, const PrintedNumber &whole, const PrintedNumber &total) const {
+  /// \param same  the two numbers may be one
+  std::string_view sum_of_some(std::size_t c, const PrintedNumber &whole, const PrintedNumber &total,
+                               bool (*same)(const PrintedNumber &, const PrintedNumber &)) const {
     const AccountColumn &here = column(c);
     const std::optional<PrintedNumber> sieves = here.retained(), wash = in_unit_of(here, stated_.wash_loss),
                                        row = number_of(rows_.wash(), c), loss = number_of(rows_.loss(), c);
-    if (sieves && agree(*sieves, total))
+    if (sieves && same(*sieves, total))
       return "that is what is on the sieves";
-    if ((wash && agree(whole - *wash, total)) || (row && here.is_retained() && agree(whole - *row, total)))
+    if ((wash && same(whole - *wash, total)) || (row && here.is_retained() && same(whole - *row, total)))
       return "that is without the wash loss";
-    if (loss && agree(whole + *loss, total))
+    if (loss && same(whole + *loss, total))
       return "that is with what was lost";
     if (compared_.whole && compared_.deciding != c && agree(total, *compared_.whole))
       return "that is what the shares are of";

@@ -47,23 +47,24 @@ constexpr std::array vocabulary = {
     RoleWords{grain, "particle particles grain grains equivalent"},
     RoleWords{number, "no nos number numbers"},
     RoleWords{standard, "us u s usa as bs british astm iso din is indian standard test nominal square name "
-                        "designation nf une uni cnr"},
-    RoleWords{retained, "retained ret"},
+                        "designation nf une uni cnr range ranges class classes"},
+    RoleWords{retained, "retained ret retd"},
     RoleWords{retained | cumulative, "oversize coarser"},
     RoleWords{passing, "passing pass passed finer undersize smaller less through thru under cpft"},
-    RoleWords{cumulative, "cumulative cum cumul cumulated accumulated"},
+    RoleWords{cumulative, "cumulative cum cumm cumul cumulated accum accumulated"},
     RoleWords{individual, "individual indiv ind partial"},
-    RoleWords{whole, "total"},
+    RoleWords{whole, "total totale totali totales"},
     RoleWords{mass, "mass weight wt"},
     RoleWords{material, "material soil sample aggregate dry masses weights volume vol than ri net"},
-    RoleWords{link, "of the each a d"},
+    RoleWords{link, "of the each a d age"},
     RoleWords{place, "on"},
     // German
     RoleWords{opening,
               "siebweite siebweiten maschenweite maschenweiten siebmaschenweite siebgroesse sieboeffnung "
               "sieboeffnungen oeffnungsweite nennoeffnungsweite lochweite"},
-    RoleWords{diameter,
-              "korngroesse korngroessen korndurchmesser partikelgroesse partikeldurchmesser durchmesser"},
+    RoleWords{diameter, "korngroesse korngroessen korndurchmesser partikelgroesse partikeldurchmesser "
+                        "durchmesser kornfraktion "
+                        "kornfraktionen kornklasse kornklassen korngruppe korngruppen"},
     RoleWords{extent, "groesse"},
     RoleWords{sieve, "sieb siebe siebs pruefsieb analysensieb"},
     RoleWords{number, "nr nummer"},
@@ -72,7 +73,8 @@ constexpr std::array vocabulary = {
     RoleWords{retained | individual, "einzelrueckstand einzelrueckstaende teilrueckstand"},
     RoleWords{retained | cumulative, "rueckstandssumme summenrueckstand"},
     RoleWords{passing,
-              "durchgang durchgaenge durchg siebdurchgang siebdurchgaenge durchgangssumme summendurchgang"},
+              "durchgang durchgaenge durchg durchgangswerte siebdurchgang siebdurchgaenge gesamtdurchgang "
+              "durchgangssumme summendurchgang"},
     RoleWords{cumulative, "kumuliert kumulierter kumulierte kumulativ kum aufsummiert"},
     RoleWords{individual, "einzeln einzelner"},
     RoleWords{mass, "masse gewicht massenanteil"},
@@ -172,6 +174,21 @@ void drop_place(std::vector<std::string> &words) {
     words.erase(on, behind + 1);
 }
 
+/// Takes the formula of EN 933-1 away: `retained Ri/M1 x 100`, `passing 100 - (sum Ri/M1 x 100)`.
+void drop_formula(std::vector<std::string> &words) {
+  const auto drop = [&words](std::initializer_list<std::string_view> last) {
+    if (words.size() <= last.size() || !std::equal(last.begin(), last.end(), words.end() - std::ssize(last)))
+      return false;
+    words.resize(words.size() - last.size());
+    return true;
+  };
+  if (!drop({"m1", "x", "100"}) && !drop({"m1", "100"}))
+    return;
+  drop({"ri"});
+  drop({"sum"});
+  drop({"100"});
+}
+
 std::optional<ColumnMeaning> meaning_of_sizes(unsigned roles, bool has_length) {
   if ((roles & diameter) != 0)
     return (roles & (sieve | mesh | number | extent)) == 0 ? std::optional(ColumnMeaning::size)
@@ -209,6 +226,7 @@ std::optional<WordsMeaning> meaning_of_words(std::vector<std::string> words, boo
     return WordsMeaning{phrase->meaning};
   if (words.size() == 1 && roles_of(words[0]) == mass)
     return WordsMeaning{ColumnMeaning::retained};
+  drop_formula(words);
   drop_place(words);
   constexpr unsigned of_sizes = opening | diameter | extent | sieve | mesh | grain | number | standard;
   unsigned roles = 0;

@@ -24,7 +24,10 @@ constexpr std::array units = {
     UnitWords{"m", ColumnUnit::m},
     UnitWords{"in inch inches zoll", ColumnUnit::inch},
     UnitWords{"phi", ColumnUnit::phi},
-    UnitWords{"percent percentage pct prozent pourcentage porcentaje percentuale", ColumnUnit::percent},
+    UnitWords{
+        "percent percents percentage percentages pct prozent prozente pourcentage pourcentages porcentaje "
+        "porcentajes percentuale percentuali",
+        ColumnUnit::percent},
     UnitWords{"fraction", ColumnUnit::fraction},
     UnitWords{"g gr gm gms gram grams gramm gramme grammes gramos grammi", ColumnUnit::mass},
     UnitWords{kilograms, ColumnUnit::mass},

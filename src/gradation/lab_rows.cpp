@@ -6,6 +6,7 @@
 #include "gradation/row_sizes.hpp"
 #include "gradation/second_header.hpp"
 #include "gradation/sheet_remarks.hpp"
+#include "gradation/sieve_order.hpp"
 #include "gradation/stated_numbers.hpp"
 #include "gradation/unused_columns.hpp"
 #include "gradation/words_of_rows.hpp"
@@ -79,6 +80,8 @@ public:
                      fmt::format("there is no row with a size and a number below {} and {}: {}",
                                  in_quotes(columns_.size_name), in_quotes(columns_.value_name),
                                  column_options()));
+    if (const std::optional<std::size_t> row = out_of_order(read_.table.sizes))
+      read_.out_of_order = read_.table.lines[*row];
     unused_.check_samples(sieves_, chosen_.meaning().meaning);
     if (cells_.delimiter == ',' && !reading_.columns)
       check_last_column(sieves_, columns_, source_);
@@ -89,6 +92,7 @@ public:
     for (const StatedNumber &number : read_.stated)
       check_washing_sieve(number.statement);
     read_.beside = beside_.all();
+    read_.errors = beside_.errors();
     read_.unread = unused_.speaking_of_mass(sieves_);
     columns_.values = chosen_.meaning();
     columns_.others = unused_.all();
@@ -106,10 +110,14 @@ private:
   /// What is wrong with a cell is wrong in its line.
   template <typename Action>
   auto in_line(Action action) const {
+    return in_line(row().line, action);
+  }
+  template <typename Action>
+  auto in_line(std::size_t line, Action action) const {
     try {
       return action();
     } catch (const InputError &error) {
-      refuse(error.what());
+      source_.refuse(line, error.what());
     }
   }
 
@@ -374,7 +382,7 @@ private:
     const auto is_sieve = [](const Rational &size) { return size > 0; };
     std::vector<Rational> sieves;
     std::copy_if(read_.table.sizes.begin(), read_.table.sizes.end(), std::back_inserter(sieves), is_sieve);
-    const Rational washed = in_line([&] { return sizes_.named(sieve); });
+    const Rational washed = in_line(s.line, [&] { return sizes_.named(sieve); });
     if (!sieves.empty() && washed > *std::min_element(sieves.begin(), sieves.end()))
       source_.refuse(
           s.line,

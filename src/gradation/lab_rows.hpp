@@ -19,6 +19,8 @@ struct LabRows {
   std::vector<StatedNumber> stated; ///< above and below the table
   std::vector<std::size_t> further_headers; ///< lines of headers among the rows
   ShortList left;                           ///< rows that are none of these
+  ShortList errors; ///< rows with an error of a spreadsheet in a column that is compared
+  std::optional<std::size_t> out_of_order; ///< the line of a sieve that is out of the order of the others
   ShortList hidden;       ///< of a workbook: those that were read, and its sheet does not show
   ShortList long_numbers; ///< of a workbook: those that have no decimal of at most 15 digits
 };

@@ -75,13 +75,26 @@ void describe_rest(Table &table, const LabRows &rows) {
                     rows.long_numbers.text(), option("round")));
   if (!rows.hidden.empty())
     table.notes.push_back(fmt::format("Rows that the sheet hides were read too: {}.", rows.hidden.text()));
+  if (!rows.errors.empty())
+    table.notes.push_back(fmt::format(
+        "Cells with an error of the spreadsheet were not compared, in the rows {}.", rows.errors.text()));
+  if (rows.out_of_order)
+    table.notes.push_back(fmt::format("The sieve in line {} is out of the order of the others: look whether "
+                                      "its size is right.",
+                                      *rows.out_of_order));
   if (!rows.left.empty())
     table.notes.push_back(fmt::format("Rows that are no sizes were left out: {}.", rows.left.text()));
 }
 
+/// A column of sizes in a row of headers.
+struct SizeHeader {
+  std::size_t place;
+  bool is_known; ///< by its words; else its unit alone says that it may be one, beside a column of values
+};
+
 /// The column of sizes in a row of headers, or one in a unit of sizes beside one of values; nothing where it
 /// has none, or those of canonical CSV are meant.
-std::optional<std::size_t> size_header(const CellRow &row) {
+std::optional<SizeHeader> size_header(const CellRow &row) {
   std::optional<std::size_t> size, in_unit;
   bool has_values = false;
   std::size_t words = 0;
@@ -98,9 +111,8 @@ std::optional<std::size_t> size_header(const CellRow &row) {
     else if (!in_unit && is_of_sizes(unit_in_header(cell)))
       in_unit = i;
   }
-  if (!size && has_values)
-    size = in_unit;
-  return words > 1 ? size : std::nullopt;
+  const std::optional<std::size_t> place = size ? size : has_values ? in_unit : std::nullopt;
+  return words > 1 && place ? std::optional(SizeHeader{*place, size.has_value()}) : std::nullopt;
 }
 
 /// `Refus (g)` of old sheets is cumulative, of newer ones not.
@@ -116,14 +128,14 @@ void refuse_unclear_column(const CellRow &header, const Source &source) {
 /// A table above the one that is read must not be passed over.
 void refuse_table_above(const Cells &cells, const TableColumns &columns, const Source &source) {
   for (std::size_t i = 0; i < columns.above; ++i)
-    if (const std::optional<std::size_t> size = size_header(cells.rows[i]))
+    if (const std::optional<SizeHeader> size = size_header(cells.rows[i]))
       for (std::size_t below = i + 1; below < columns.above && !cells.rows[below].below_gap; ++below)
-        if (number_cell(cells.rows[below].cell(*size)))
+        if (number_cell(cells.rows[below].cell(size->place)))
           source.refuse(
               cells.rows[i].line,
               fmt::format("a table with {} begins here and is not read, as its header is not known: correct "
                           "the header, or leave the table out for that of line {}",
-                          in_quotes(cells.rows[i].cells[*size]), cells.rows[columns.above].line));
+                          in_quotes(cells.rows[i].cells[size->place]), cells.rows[columns.above].line));
 }
 
 } // namespace
@@ -146,11 +158,17 @@ void refuse_table(const Cells &cells, const Reading &reading, const Source &sour
                                 "what they retain: add one with the difference",
                                 in_quotes(row.cells[sieves->full]), in_quotes(row.cells[sieves->empty])));
   for (const CellRow &row : cells.rows)
-    if (const std::optional<std::size_t> size = size_header(row)) {
+    if (const std::optional<SizeHeader> size = size_header(row)) {
       refuse_unclear_column(row, source);
+      if (!size->is_known)
+        source.refuse(
+            row.line,
+            fmt::format("{} is not known to be a column of sieves: write 'Sieve size' with the unit "
+                        "in brackets, or {}{}",
+                        in_quotes(row.cells[size->place]), column_options(), cells.hint));
       source.refuse(row.line,
                     fmt::format("beside {} no column is known to hold what is retained or passes: {}{}",
-                                in_quotes(row.cells[*size]), column_options(), cells.hint));
+                                in_quotes(row.cells[size->place]), column_options(), cells.hint));
     }
   source.refuse(line, fmt::format("{}; the file begins {}: {}{}",
                                   unknown_size_column(first, "size_mm,passing_percent"), beginning_of(cells),

@@ -14,6 +14,9 @@
 namespace mdm {
 namespace {
 
+/// How far percent of the whole may be above 100.
+constexpr int largest_loss = 5;
+
 /// Percent, if the whole is there as 100 or the user says passing or cumulative.
 void check_percent(const Table &table, const LabValues &values, const Reading &reading,
                    const Source &source) {
@@ -121,7 +124,11 @@ void settle_lab_values(Table &table, const LabValues &values, const Reading &rea
                   "give the mass retained");
   if (unit == ColumnUnit::fraction && meaning == ColumnMeaning::cumulative)
     source.refuse(table.header_line, "cumulative fractions are not read: give them in percent");
-  const bool is_cumulative_mass = meaning == ColumnMeaning::cumulative && unit == ColumnUnit::mass;
+  // Neither percent nor fractions are so large.
+  const bool is_mass = unit == ColumnUnit::mass ||
+                       (unit == ColumnUnit::none &&
+                        *std::max_element(table.values.begin(), table.values.end()) > 100 + largest_loss);
+  const bool is_cumulative_mass = meaning == ColumnMeaning::cumulative && is_mass;
   if (is_cumulative_mass)
     take_differences(table, reading, source);
   else if (unit == ColumnUnit::none && meaning != ColumnMeaning::retained)

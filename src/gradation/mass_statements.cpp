@@ -15,12 +15,19 @@
 namespace mdm {
 namespace {
 
+/// True for the colon of `10:45`, and not of `Wash loss below 0.063: 4`.
+bool is_of_time(std::string_view cell, std::size_t colon) {
+  constexpr std::size_t two = 2;
+  const std::size_t before = cell.find_last_not_of("0123456789", colon == 0 ? 0 : colon - 1) + 1;
+  const std::size_t end = std::min(cell.find_first_not_of("0123456789", colon + 1), cell.size());
+  const bool is_decimal = before > 0 && (cell[before - 1] == '.' || cell[before - 1] == ',');
+  return before < colon && colon - before <= two && !is_decimal && end - colon - 1 == two;
+}
+
 /// The text ahead of a number in one cell with it: `Dry mass: 500 g`, `Dry mass = 500 g`.
 std::pair<std::string_view, std::string_view> split_statement(std::string_view cell) {
   const std::size_t sign = cell.find_last_of(":=");
-  const bool is_time =
-      sign != std::string_view::npos && sign > 0 && cell[sign] == ':' && is_digit(cell[sign - 1]);
-  if (sign == std::string_view::npos || is_time)
+  if (sign == std::string_view::npos || (cell[sign] == ':' && is_of_time(cell, sign)))
     return {cell, {}};
   return {without_spaces(cell.substr(0, sign)), without_spaces(cell.substr(sign + 1))};
 }

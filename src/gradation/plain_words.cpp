@@ -11,16 +11,20 @@ namespace {
 
 /// Letters with accents, and signs that are words.
 constexpr std::array letters = {
-    Spelling{"ä", "ae"},        Spelling{"Ä", "ae"},       Spelling{"ö", "oe"},       Spelling{"Ö", "oe"},
-    Spelling{"ü", "ue"},        Spelling{"Ü", "ue"},       Spelling{"ß", "ss"},       Spelling{"é", "e"},
-    Spelling{"É", "e"},         Spelling{"è", "e"},        Spelling{"È", "e"},        Spelling{"ê", "e"},
-    Spelling{"à", "a"},         Spelling{"á", "a"},        Spelling{"Á", "a"},        Spelling{"í", "i"},
-    Spelling{"Í", "i"},         Spelling{"ì", "i"},        Spelling{"ó", "o"},        Spelling{"Ó", "o"},
-    Spelling{"ò", "o"},         Spelling{"ú", "u"},        Spelling{"Ú", "u"},        Spelling{"ù", "u"},
-    Spelling{"ñ", "n"},         Spelling{"Ñ", "n"},        Spelling{"ç", "c"},        Spelling{"\u00B5", "u"},
-    Spelling{"\u03BC", "u"},    Spelling{"\u03C6", "phi"}, Spelling{"\u03A6", "phi"}, Spelling{"\u00A0", " "},
-    Spelling{"\u202F", " "},    Spelling{"°", " "},        Spelling{"º", " "},        Spelling{"№", "no "},
-    Spelling{"%", " percent "}, Spelling{"+", " plus "},
+    Spelling{"ä", "ae"},         Spelling{"Ä", "ae"},       Spelling{"ö", "oe"},
+    Spelling{"Ö", "oe"},         Spelling{"ü", "ue"},       Spelling{"Ü", "ue"},
+    Spelling{"ß", "ss"},         Spelling{"é", "e"},        Spelling{"É", "e"},
+    Spelling{"è", "e"},          Spelling{"È", "e"},        Spelling{"ê", "e"},
+    Spelling{"à", "a"},          Spelling{"á", "a"},        Spelling{"Á", "a"},
+    Spelling{"í", "i"},          Spelling{"Í", "i"},        Spelling{"ì", "i"},
+    Spelling{"ó", "o"},          Spelling{"Ó", "o"},        Spelling{"ò", "o"},
+    Spelling{"ú", "u"},          Spelling{"Ú", "u"},        Spelling{"ù", "u"},
+    Spelling{"ñ", "n"},          Spelling{"Ñ", "n"},        Spelling{"ç", "c"},
+    Spelling{"\u00B5", "u"},     Spelling{"\u03BC", "u"},   Spelling{"\u03C6", "phi"},
+    Spelling{"\u03A6", "phi"},   Spelling{"\u00A0", " "},   Spelling{"\u202F", " "},
+    Spelling{"°", " "},          Spelling{"º", " "},        Spelling{"№", "no "},
+    Spelling{"%", " percent "},  Spelling{"+", " plus "},   Spelling{"\u03A3", " sum "},
+    Spelling{"\u2211", " sum "}, Spelling{"\u00D7", " x "},
 };
 
 /// True for what is a part of a word: letters, digits, and characters beyond ASCII.

@@ -29,6 +29,13 @@ inline PrintedNumber operator*(const PrintedNumber &a, const Rational &factor) {
   return {a.value * factor, a.half * factor};
 }
 
+/// A part of a whole in percent. \pre the whole is above 0 whatever its rounding
+inline PrintedNumber share_of(const PrintedNumber &part, const PrintedNumber &whole) {
+  const Rational low = 100 * part.range().lo / (whole.value + whole.half),
+                 high = 100 * part.range().hi / (whole.value - whole.half);
+  return {(low + high) / 2, (high - low) / 2};
+}
+
 /// True where both may be one number.
 inline bool agree(const PrintedNumber &a, const PrintedNumber &b) {
   return abs(Rational(a.value - b.value)) <= a.half + b.half;

@@ -25,6 +25,7 @@ public:
   /// what is retained
   void settle(Table &table, bool are_retained, const Source &source) const;
 
+  bool empty() const { return all_.empty(); }
   const Rational &lower() const { return all_.back().lower; }
 
 private:

@@ -66,6 +66,25 @@ bool is_fraction(std::string_view cell) {
          cell.find_first_not_of("0123456789/ -") == std::string_view::npos;
 }
 
+/// `Size range (mm)`, `Kornklasse [mm]`: of such a column a single size may be either end.
+bool names_classes(std::string_view header) {
+  return has_any_word(
+      "range ranges class classes kornfraktion kornfraktionen kornklasse kornklassen korngruppe "
+      "korngruppen",
+      words_of(header));
+}
+
+/// `> 4.75`: what stays on that sieve, where the other rows are ranges.
+bool is_above(std::string_view cell) {
+  return cell.starts_with('>') || cell.starts_with("\u2265");
+}
+
+std::string single_size_refusal(std::string_view cell) {
+  return fmt::format("the size {} is a range: write pan for what passes the finest sieve, and the opening of "
+                     "the sieve for what stays on it",
+                     in_quotes(cell));
+}
+
 /// Sieves whose order breaks as where mm become um without a word.
 void check_unit_break(const std::vector<Rational> &sizes, const std::vector<std::size_t> &lines,
                       const TableColumns &columns, const Source &source) {
@@ -140,6 +159,14 @@ void RowSizes::settle(Table &table, bool are_retained, const Source &source) con
     table.notes.emplace_back(names_inches_ ? "Sizes in inches are the openings of ASTM's sieves of that "
                                              "name: 1 in is 25 mm; others were converted to mm."
                                            : "Sizes in inches were converted to mm.");
+  if (above_ && ranges_.empty())
+    source.refuse(table.lines[above_->row], single_size_refusal(above_->cell));
+  if (names_classes(columns_.size_name) && ranges_.empty())
+    source.refuse(
+        table.header_line,
+        fmt::format("the column {} is of classes, and its cells are single sizes: write both ends of "
+                    "each, or 'Sieve size' with the unit for the sieves on which the masses stay",
+                    in_quotes(columns_.size_name)));
   ranges_.settle(table, are_retained, source);
 }
 
@@ -148,11 +175,12 @@ Rational RowSizes::row_size(std::string_view cell) {
     throw InputError("a date stands where a sieve belongs, as a spreadsheet makes one of 3/8: make the cell "
                      "text and write it again, 3/8 in");
   const bool passes = cell.size() > 1 && cell.front() == '-' && (is_digit(cell[1]) || cell[1] == '.');
+  if (is_above(cell) && !above_) {
+    above_ = Above{rows_, std::string(cell)};
+    return size_of(without_spaces(cell.substr(cell.find_first_not_of(">=\u2265"))), ColumnUnit::none);
+  }
   if (is_above_or_below(cell) || (passes && columns_.sizes.unit != ColumnUnit::phi))
-    throw InputError(
-        fmt::format("the size {} is a range: write pan for what passes the finest sieve, and the opening of "
-                    "the sieve for what stays on it",
-                    in_quotes(cell)));
+    throw InputError(single_size_refusal(cell));
   if (const auto ends = range_ends(cell); ends && !is_sieve(cell) && columns_.sizes.unit != ColumnUnit::phi) {
     const Rational second = size_of(ends->second, ColumnUnit::none);
     ranges_.add(rows_, size_of(ends->first, unit_behind(ends->second)), second);

@@ -50,7 +50,12 @@ private:
   SizeUnit unit_;
   std::string series_; ///< the line above the table that names other sieves than those of ASTM; mostly empty
   std::size_t rows_ = 0;
+  struct Above {
+    std::size_t row;
+    std::string cell;
+  };
   SizeRanges ranges_;
+  std::optional<Above> above_; ///< the row of what is coarser than all ranges
   bool has_own_unit_ = false;
   bool names_inches_ = false;           ///< in a column of inches some sieves are named: 3/4, No. 4
   std::vector<std::size_t> plain_rows_; ///< below the first unit, with sizes that are numbers alone ...

@@ -16,7 +16,7 @@ namespace row_vocabulary {
 // Words with spaces between them, in the spelling of plain_words.
 constexpr std::string_view pan =
     "pan bottom schale bodenschale auffangschale siebboden blindboden boden fond fondo receiver "
-    "auffanggefaess bandeja charola cazoleta receptor fondello";
+    "auffanggefaess auffangboden pfanne siebpfanne raccoglitore bandeja charola cazoleta receptor fondello";
 constexpr std::string_view washing =
     "auswaschverlust wash rinse rinsed rinsing ausgespuelt ausgespueltes spuelverlust decant washing washed "
     "washings washout waschen gewaschen waschverlust ausgewaschen "
@@ -92,7 +92,8 @@ constexpr std::string_view filler =
     "the of in on to by a at an and und et y e con mit plus than as als used taken is from im der die das "
     "des dem "
     "de du da la le les l al au aux par por per del della nel nello nella en que collected residue retained "
-    "rest material materials matter p m g gr gram grams kg lbs percent mm um u inch no nr n sieve sieb siebs "
+    "rest restant rueckstand materiau material materials matter p m g gr gram grams kg lbs percent mm um u "
+    "inch no nr n sieve sieb siebs "
     "tamis "
     "tamiz malla setaccio vaglio mesh test us through over ";
 
@@ -171,7 +172,10 @@ std::string named_sieve(std::string_view text) {
   const std::string ahead = plain_words(text.substr(0, before_digit));
   if (before_digit > 0 && text[before_digit - 1] == '#')
     return "#" + sieve;
-  if (ahead == "no" || ahead == "nr" || ahead.ends_with(" no") || ahead.ends_with(" nr"))
+  const std::string_view up_to_digit = text.substr(0, before_digit);
+  const bool has_degree = up_to_digit.ends_with("\u00B0") || up_to_digit.ends_with("\u00BA"); // `N°200`
+  if (ahead == "no" || ahead == "nr" || ahead.ends_with(" no") || ahead.ends_with(" nr") ||
+      (has_degree && (ahead == "n" || ahead.ends_with(" n"))))
     return "No. " + sieve;
   std::size_t unit = std::min(text.find_first_not_of(' ', end), text.size());
   if (text.substr(unit).starts_with('"'))

@@ -79,10 +79,14 @@ private:
   void check_part(const AccountRow &row, const PrintedNumber &part, const PrintedNumber &all) const {
     const AccountRow &all_row = *rows_.all_fines();
     if (part.range().lo > all.range().hi || (all_row.meaning == RowMeaning::passing && !agree(part, all)))
-      source_.refuse(all_row.line,
-                     fmt::format("{} may have {} in it, or not: write 'Pan + wash' for both, or the "
-                                 "rows 'Pan' and 'Wash loss'",
-                                 in_quotes(all_row.label), in_quotes(row.label)));
+      refuse_unclear(all_row, row.label);
+  }
+
+  /// What passes the finest sieve in one row, and may have a part of it or not.
+  [[noreturn]] void refuse_unclear(const AccountRow &all, const std::string &part) const {
+    source_.refuse(all.line, fmt::format("{} may have {} in it, or not: write 'Pan + wash' for both, or the "
+                                         "rows 'Pan' and 'Wash loss'",
+                                         in_quotes(all.label), in_quotes(part)));
   }
 
   /// What is behind the finest sieve in a column that adds up, whose rows of pan and wash loss go on adding.
@@ -156,8 +160,18 @@ private:
                                    in_quotes(stated->label), stated->line, shown(wash->value)));
       return;
     }
-    if (rows_.have_wash() || (here.below && pan_holds(here, *wash)))
+    const AccountRow *const all = rows_.all_fines();
+    if (rows_.wash() != nullptr || (all != nullptr && all->meaning != RowMeaning::passing))
       return;
+    if (here.below) {
+      const WashIn place = place_of_wash(here, *wash);
+      if (place == WashIn::pan)
+        return notes_.push_back(
+            fmt::format("The wash loss {} is in the row of the pan: so the masses add up to {}.",
+                        shown(wash->value), shown(in_unit_of(here, a_.stated.initial)->value)));
+      if (place == WashIn::either)
+        check_unclear(here, *wash);
+    }
     a_.has_added_wash = true;
     here.below = here.below ? *here.below + *wash : *wash;
   }
@@ -171,28 +185,40 @@ private:
                                  in_quotes(percent->label)));
   }
 
-  /// True where the sheet adds up only if the row of the pan has the wash loss in it.
-  bool pan_holds(const AccountColumn &column, const PrintedNumber &wash) {
+  /// Where the sheet adds up: with the wash loss in the row of what passes the finest sieve, or apart.
+  enum class WashIn { pan, apart, either };
+
+  WashIn place_of_wash(const AccountColumn &column, const PrintedNumber &wash) const {
     const std::optional<PrintedNumber> rows = column.whole(), initial = in_unit_of(column, a_.stated.initial),
                                        washed = in_unit_of(column, a_.stated.washed);
-    if (!rows || !initial || column.below->range().hi < wash.range().lo)
-      return false;
+    // Rounding of many rows may be more than the wash loss.
+    const auto is_near = [&wash](const PrintedNumber &a, const PrintedNumber &b) {
+      return 4 * abs(Rational(a.value - b.value)) <= wash.value;
+    };
+    if (column.below->range().hi < wash.range().lo || (rows && washed && is_near(*rows, *washed)))
+      return WashIn::apart;
+    if (!rows || !initial)
+      return WashIn::either;
     const PrintedNumber with = *rows + wash;
-    if (agree(with, *initial) || (washed && agree(*rows, *washed)))
-      return false;
-    bool holds = agree(*rows, *initial);
-    if (!holds && a_.loss.explains(*rows, *initial)) {
-      if (a_.loss.explains(with, *initial) && with.value > initial->value)
-        source_.refuse(
-            rows_.pan() != nullptr ? rows_.pan()->line : a_.header_line,
-            fmt::format("the pan may have the wash loss {} in it, or not: write 'Pan + wash' for both",
-                        shown(wash.value)));
-      holds = !a_.loss.explains(with, *initial);
-    }
-    if (holds)
-      notes_.push_back(fmt::format("The wash loss {} is in the row of the pan: so the masses add up to {}.",
-                                   shown(wash.value), shown(initial->value)));
-    return holds;
+    if (is_near(with, *initial) || is_near(*rows, *initial))
+      return is_near(with, *initial) ? WashIn::apart : WashIn::pan;
+    if (agree(with, *initial) != agree(*rows, *initial))
+      return agree(with, *initial) ? WashIn::apart : WashIn::pan;
+    if (a_.loss.explains(with, *initial) == a_.loss.explains(*rows, *initial))
+      return a_.loss.explains(with, *initial) ? WashIn::either : WashIn::apart;
+    return a_.loss.explains(with, *initial) ? WashIn::apart : WashIn::pan;
+  }
+
+  /// A pan has no wash loss in it where nothing speaks for that; what passes a sieve may have.
+  void check_unclear(const AccountColumn &column, const PrintedNumber &wash) const {
+    if (const AccountRow *const all = rows_.all_fines())
+      refuse_unclear(*all, a_.stated.wash_loss->label);
+    const std::optional<PrintedNumber> rows = column.whole(), initial = in_unit_of(column, a_.stated.initial);
+    if (rows && initial && rows->value + wash.value > initial->value)
+      source_.refuse(
+          rows_.pan() != nullptr ? rows_.pan()->line : a_.header_line,
+          fmt::format("the pan may have the wash loss {} in it, or not: write 'Pan + wash' for both",
+                      shown(wash.value)));
   }
 
   OrderedAccounts &a_;

@@ -29,6 +29,8 @@ public:
     for (const StatedNumber &number : numbers)
       take(number);
     take_container();
+    if (!masses_.initial)
+      std::swap(masses_.initial, masses_.total);
     find_wash_loss();
     return std::move(masses_);
   }
@@ -70,8 +72,9 @@ private:
   std::optional<StatedMass> *place_of(RowMeaning meaning) {
     switch (meaning) {
     case RowMeaning::initial_mass:
-    case RowMeaning::total:
       return &masses_.initial;
+    case RowMeaning::total:
+      return &masses_.total;
     case RowMeaning::sieved_mass:
       return &masses_.sieved;
     case RowMeaning::washed_mass:

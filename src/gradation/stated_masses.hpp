@@ -21,6 +21,7 @@ struct StatedMass {
 /// What is said of one sample, each once.
 struct StatedMasses {
   std::optional<StatedMass> initial, sieved, washed, wash_loss, sieve_loss;
+  std::optional<StatedMass> total; ///< beside an initial mass
   std::optional<StatedMass> wash_percent, sieve_loss_percent;
   std::vector<StatedMass> fines_percent; ///< what is said to be fine
   ShortList left;                        ///< masses that nothing is compared with ...

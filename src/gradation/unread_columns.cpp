@@ -14,16 +14,19 @@ namespace {
 
 constexpr std::string_view of_values =
     "mass masses masse massen weight weights wt gewicht gewichte peso pesos poids masa masas massa "
-    "retained passing finer coarser corr adj norm recalc korr normalized normalised recalculated weighted "
-    "washed corrected adjusted combined overall net netto total totals sum summe "
+    "retained retd passing passante passant finer coarser corr adj norm recalc korr normalized normalised "
+    "recalculated weighted "
+    "washed corrected adjusted combined overall net netto total totals totale totali totales sum summe "
     "somme suma somma gesamt korrigiert korrigierte corrige corrigee corregido corregida corretto corretta";
 /// Words beside these that leave a column one of the sample's masses; any other may be of a target, a tare,
 /// an assay or the moisture.
 constexpr std::string_view beside_values =
     "of the a an x by in on to per and all whole each sample material dry soil value values final new calc "
-    "calculated computed result results factor part percentage anteil probe von der des und de del du la le "
-    "y "
-    "et";
+    "calculated computed result results factor part anteil probe amount quantity auswaage von der des und de "
+    "del du la le y et";
+/// The same beside percent; a mass may be that of a sieve.
+constexpr std::string_view beside_percent =
+    "sieve sieves size n p actual reported rounded indiv individual differential frequency 1 2 3";
 
 /// What the numbers of such a column may be.
 constexpr std::array readings = {ColumnMeaning::retained, ColumnMeaning::cumulative, ColumnMeaning::passing};
@@ -80,9 +83,13 @@ bool may_hold_values(std::string_view header) {
     return unit == ColumnUnit::percent || unit == ColumnUnit::mass || is_word_of_sums(word) ||
            has_word(of_values, word);
   };
+  const bool is_percent = std::any_of(words.begin(), words.end(), [](const std::string &word) {
+    return unit_of_words(word) == ColumnUnit::percent;
+  });
   return std::any_of(words.begin(), words.end(), is_value) &&
-         std::all_of(words.begin(), words.end(), [&is_value](const std::string &word) {
-           return is_value(word) || has_word(beside_values, word);
+         std::all_of(words.begin(), words.end(), [&is_value, is_percent](const std::string &word) {
+           return is_value(word) || has_word(beside_values, word) ||
+                  (is_percent && has_word(beside_percent, word));
          });
 }
 

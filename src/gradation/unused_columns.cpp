@@ -2,6 +2,7 @@
 
 #include "gradation/cell_numbers.hpp"
 #include "gradation/corrected_values.hpp"
+#include "gradation/limit_columns.hpp"
 #include "gradation/mass_statements.hpp"
 #include "gradation/plain_words.hpp"
 #include "gradation/row_words.hpp"
@@ -216,8 +217,8 @@ void UnusedColumns::check_corrected(const Table &table, const std::vector<const 
           fmt::format("the column {} has sizes too, and may be where {} was retained: give the size "
                       "of the sieve alone, or choose the columns with {} SIZE,VALUE",
                       in_quotes(column.name), in_quotes(value_name_), option("columns")));
-    if (may_hold_values(column.name))
-      continue; // compared in every reading
+    if (may_hold_values(column.name) || is_limit(column.name))
+      continue; // compared in every reading, or of a specification
     if (are_retained && changes_masses(column.name) && has_two_numbers(column, sieves))
       source_.refuse(
           table.header_line,

@@ -10,12 +10,26 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 
 namespace mdm {
 namespace {
 
 std::optional<NumberCell> cell_of(const ColumnBeside &column, const CellRow &row) {
   return column.place ? number_cell(row.cell(*column.place)) : std::nullopt;
+}
+
+/// `#DIV/0!`, `#NV`, `Err:502`: what a spreadsheet shows of a formula that has no value.
+bool is_error(std::string_view cell) {
+  constexpr std::array errors = {"#REF!",  "#DIV/0!", "#N/A",   "#VALUE!", "#NAME?", "#NUM!",
+                                 "#NULL!", "#BEZUG!", "#WERT!", "#NV",     "#ZAHL!"};
+  return cell.starts_with("Err:") || std::find(errors.begin(), errors.end(), cell) != errors.end();
+}
+
+bool has_error(const std::vector<ColumnBeside> &columns, const CellRow &row) {
+  return std::any_of(columns.begin(), columns.end(), [&row](const ColumnBeside &column) {
+    return column.place && is_error(row.cell(*column.place));
+  });
 }
 
 bool mean_one(const FurtherColumn &a, const FurtherColumn &b) {
@@ -104,6 +118,8 @@ std::vector<std::optional<PrintedNumber>> ColumnsBeside::numbers(const CellRow &
 }
 
 void ColumnsBeside::take(const CellRow &row) {
+  if (has_error(all_, row))
+    errors_.add(row.first());
   for (ColumnBeside &column : all_) {
     column.numbers.push_back(number(column, row));
     const std::optional<NumberCell> cell = cell_of(column, row);

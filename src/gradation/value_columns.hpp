@@ -3,6 +3,7 @@
 /// The numbers in a table's columns of values: in the chosen one, and in those beside it.
 
 #include "gradation/table_sign.hpp"
+#include "text/short_list.hpp"
 
 namespace mdm {
 
@@ -63,12 +64,15 @@ public:
   /// Takes the numbers of the table's next row.
   /// \throws InputError as above
   void take(const CellRow &row);
+  /// The first cells of rows in which one of them has an error of a spreadsheet instead of a number.
+  const ShortList &errors() const { return errors_; }
 
 private:
   std::optional<PrintedNumber> number(const ColumnBeside &column, const CellRow &row) const;
 
   TableSign sign_;
   std::vector<ColumnBeside> all_;
+  ShortList errors_;
 };
 
 } // namespace mdm

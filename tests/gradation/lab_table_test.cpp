@@ -46,6 +46,69 @@ TEST_CASE("Openings of metres are refused unless the unit is said twice") {
   CHECK(text(read("size_m,mass\n37.5,0\n19,120\n").sizes()) == "19 37.5"); // canonical
 }
 
+TEST_CASE("A sieve out of the order of the others is told") {
+  const auto note = [](const std::string &third) {
+    return read("Sieve (mm),Mass retained (g)\n9.5,0\n4.75,20\n" + third +
+                ",60\n1.18,100\n0.6,150\nPan,10\n");
+  };
+  CHECK(has_note(note("0.236"), "The sieve in line 4 is out of the order"));
+  CHECK(note("2.36").notes().size() == 1);
+  // any order of all rows is one
+  CHECK(read("Sieve (mm),Mass retained (g)\n0.6,150\n9.5,0\n1.18,100\n4.75,20\n2.36,60\nPan,10\n")
+            .notes()
+            .size() == 1);
+  CHECK(read("Sieve (mm),Mass retained (g)\n0.6,150\n1.18,100\n2.36,60\n4.75,20\n9.5,0\nPan,10\n")
+            .notes()
+            .size() == 1);
+}
+
+TEST_CASE("Classes with what is above and below them") {
+  CHECK(text(read("Size range (mm),Mass retained (g)\n>4.75,0\n4.75-2.36,60\n2.36-1.18,100\n<1.18,10\n")
+                 .masses()) == "10 100 60 0");
+  CHECK(text(read("Kornfraktion [mm];Rückstand [g]\n> 8;0,0\n8-4;60\n4-2;100\n< 2;10\n").masses()) ==
+        "10 100 60 0");
+  CHECK(contains(refusal("Kornfraktion [mm];Rückstand [g]\n8;0\n4;60\n2;100\nSchale;10\n"),
+                 "is of classes, and its cells are single sizes"));
+  CHECK(contains(refusal("Siebweite [mm];Rückstand [g]\n> 8;1\n8-4;60\n4-2;100\n< 2;10\n"),
+                 "the largest sieve, 8 mm"));
+  CHECK(contains(refusal("Siebweite [mm];Rückstand [g]\n> 16;0\n8-4;60\n4-2;100\n< 2;10\n"),
+                 "write all alike"));
+  CHECK(contains(refusal("Sieve (mm),Retained (g)\n>4.75,0\n2.36,60\n1.18,100\nPan,10\n"),
+                 "'>4.75' is a range"));
+  CHECK(contains(refusal("Size of it (mm),Retained (g)\n4.75,0\n2.36,60\n"),
+                 "is not known to be a column of sieves"));
+}
+
+TEST_CASE("Cumulative masses without a unit are no percent") {
+  const std::string sheet =
+      "Sieve size (mm),Cumulative Wt. Retained\n25,0\n19,236.5\n9.5,1790.2\nPan,3425.0\n";
+  CHECK(text(read(sheet).masses()) == "1634.8 1553.7 236.5 0");
+}
+
+TEST_CASE("A sum beside a mass of the sample is that of the rows") {
+  const std::string table = "Sieve (mm),Mass retained (g)\n9.5,0\n4.75,290\n2.36,200\nPan,8\n";
+  const Gradation g = read("Mass of sample 500 g\nSum of masses 498 g\n" + table);
+  CHECK(has_note(g, "add up to 498 as 'Sum of masses' says"));
+  CHECK(contains(refusal("Mass of sample 500 g\nSum of masses 480 g\n" + table), "'Sum of masses' says 480"));
+  CHECK(has_note(read(table + "Losses,2\nTotal,500\n"), "'Total' says 500: that is with what was lost."));
+}
+
+TEST_CASE("Words of the pan, and a sieve with a degree sign") {
+  for (const char *row : {"Siebpfanne", "Auffangboden", "Raccoglitore", "Matériau restant au fond P",
+                          "Rückstand in der Auffangschale P"})
+    CHECK(text(read("Sieve (mm),Retained (g)\n4,0\n0.063,30\n" + std::string(row) + ",7\n").masses()) ==
+          "7 30 0");
+  CHECK(text(read("Tamiz,Retenido (g)\nN°4,0\nN°200,30\nPasa N°200,7\n").masses()) == "7 30 0");
+  CHECK(text(read("Sieve (mm),Retained (g)\n4,0\n2,30\nPan,7\nΣ =,37\n").masses()) == "7 30 0");
+}
+
+TEST_CASE("A limit that equals a mass by chance is no corrected mass") {
+  CHECK(text(read("Sieve (mm),Mass retained (g),% passing spec min,% passing spec "
+                  "max\n10,0,100,100\n5,20,89,100\n"
+                  "2.36,60,60,100\n0.15,400,0,15\nPan,20,,\n")
+                 .masses()) == "20 400 60 20 0");
+}
+
 TEST_CASE("A column of sums has any word for them") {
   for (const char *header : {"Rückstand aufsummiert (g)", "Trattenuti cumulati (g)", "Cum. retained (g)"})
     CHECK(text(read("Sieve (mm)," + std::string(header) + "\n4,0\n2,10\n1,30\nPan,60\n").masses()) ==

@@ -276,4 +276,54 @@ TEST_CASE("A mass that passes the finest sieve is not dropped where there is no 
   CHECK(text(read(sheet + "Pan,50.0,0\n").masses()) == "50 149 400 303 98 0");
 }
 
+TEST_CASE("The pan holds no more than passes the finest sieve by the percent beside it") {
+  const std::string sheet = "Sieve (mm),% retained,% passing\n4,0,100\n2,30,70\n1,30,40\n0.5,38,2\nPan,";
+  CHECK(text(read(sheet + "2,\n").masses()) == "2 38 30 30 0");
+  CHECK(contains(refusal(sheet + "4,\n"),
+                 "2 passes the finest sieve by the column '% passing', 4 by '% retained'"));
+  const std::string digits =
+      "Sieve (mm),% retained,% passing\n4,0.0,100.0\n2,30.0,70.0\n1,30.0,40.0\n0.5,38.0,2.0\nPan,";
+  CHECK(contains(refusal(digits + "2.3,0.0\n"), "2.3 by '% retained'"));
+  const Gradation lost = read(digits + "1.5,0.0\n"); // of what was lost nothing is in the pan
+  CHECK(text(lost.masses()) == "2 38 30 30 0");
+  CHECK(has_note(
+      lost, "2 passes the finest sieve by the column '% passing', 1.5 by '% retained': the difference may "
+            "have been lost."));
+}
+
+TEST_CASE("Masses make no shares that their rounding does not make") {
+  const std::string two = "Sieve (mm),Mass retained (g),% passing\n4.75,0,100\n2,3,";
+  CHECK(contains(refusal(two + "67\nPan,3,0\n"), "correct one, or choose with --kind mass or"));
+  CHECK(text(read(two + "57\nPan,3,0\n").masses()) == "3 3 0"); // 3.4 of 3.4 and 2.6
+  CHECK(contains(refusal("Sieve (mm),Mass retained (g),% passing\n4.75,0,100\n2,10,80\n1,20,40\n0.5,15,13\n"
+                         "Pan,5,0\n"),
+                 "the masses in 'Mass retained (g)' add up to 50"));
+}
+
+TEST_CASE("Percent are compared whatever their heading has beside them") {
+  const std::string wrong =
+      "9.5,0,100\n4.75,20,96\n2.36,60,84\n1.18,10,64\n0.6,150,34\n0.3,120,10\n0.15,40,2\n"
+      "Pan,10,\n";
+  for (const char *name : {"%age passing", "Cumulative percentages passing", "Percentages passing",
+                           "Accum. % passing", "% Finer, N", "Percent passing sieve", "% Passing (rounded)",
+                           "Actual % passing", "% < size", "P (%)", "Gesamtdurchgang [%]",
+                           "Durchgangswerte [%]", "Pourcentages cumulés de tamisats", "Passante totale (%)"})
+    CHECK(contains(refusal("Sieve (mm),Mass retained (g)," + std::string(name) + "\n" + wrong), "choose"));
+  const std::string percent = "9.5,0,0\n4.75,100,20\n2.36,200,40\n1.18,100,10\nPan,100,20\n";
+  for (const char *name : {"Percentages retained", "%age retained", "% Retd", "Indiv. %", "Frequency (%)",
+                           "Percentage of material retained Ri/M1 x 100", "Rückstand Ri/M1*100 [%]"})
+    CHECK(contains(refusal("Sieve (mm),Mass retained (g)," + std::string(name) + "\n" + percent), "choose"));
+  const std::string right = "9.5,0,100\n4.75,100,80\n2.36,200,40\n1.18,100,20\nPan,100,\n";
+  CHECK(
+      text(read("Sieve (mm),Mass retained (g),Cumulative percentages passing 100 - (Σ Ri/M1 × 100)\n" + right)
+               .masses()) == "100 100 200 100 0");
+}
+
+TEST_CASE("An error of a spreadsheet in a column that is compared is told") {
+  const Gradation g =
+      read("Sieve (mm),Mass retained (g),% passing\n9.5,0,100\n4.75,100,#REF!\n2.36,200,#DIV/0!\n"
+           "1.18,100,20\nPan,100,\n");
+  CHECK(has_note(g, "Cells with an error of the spreadsheet were not compared, in the rows '4.75', '2.36'."));
+}
+
 } // namespace table_accounts_test
