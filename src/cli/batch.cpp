@@ -9,6 +9,7 @@
 #include "files/counted_files.hpp"
 #include "files/file_totals.hpp"
 #include "files/in_parallel.hpp"
+#include "files/interrupt.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
 #include "files/progress_line.hpp"
@@ -26,11 +27,18 @@
 namespace mdm::cli {
 namespace {
 
-/// The answers to some gradations, by several threads, in order.
+/// The answers to some gradations, by several threads, in order: those up to the first that was not begun
+/// when Ctrl-C was pressed.
 std::vector<BatchAnswer> answers(const BatchSolver &solver, const std::vector<BatchItem> &items,
                                  unsigned threads) {
-  std::vector<BatchAnswer> result(items.size());
-  in_parallel(items.size(), threads, [&](std::size_t i) { result[i] = solver.answer(items[i]); });
+  std::vector<std::optional<BatchAnswer>> found(items.size());
+  in_parallel(items.size(), threads, [&](std::size_t i) {
+    if (!Interrupt::was_pressed())
+      found[i] = solver.answer(items[i]);
+  });
+  std::vector<BatchAnswer> result;
+  for (std::size_t i = 0; i < found.size() && found[i]; ++i)
+    result.push_back(std::move(*found[i]));
   return result;
 }
 
@@ -71,6 +79,10 @@ private:
   std::uint64_t lines_ = 0, errors_ = 0;
 };
 
+bool reads_stdin(const BatchCommand &c) {
+  return c.files.empty() || std::count(c.files.begin(), c.files.end(), "-") > 0;
+}
+
 void check_files(const BatchCommand &c) {
   for (const std::string &file : c.files) {
     check_distinct({file, c.output.path()});
@@ -78,8 +90,7 @@ void check_files(const BatchCommand &c) {
   }
   if (c.alone && !c.shard)
     throw InputError(option("alone") + ": it is of a shard: say with " + option("shard") + " which");
-  const bool reads_stdin = c.files.empty() || std::count(c.files.begin(), c.files.end(), "-") > 0;
-  if (reads_stdin && c.flags.band == "-")
+  if (reads_stdin(c) && c.flags.band == "-")
     throw InputError(option("band") + ": standard input has the gradations: give the band by name");
   if (c.has_proof_stream() && c.files.size() > 1)
     throw InputError(option("proofs") +
@@ -103,22 +114,29 @@ void check_shard(const BatchCommand &c) {
 
 /// Solves what the sources have.
 /// \param proofs null for none
-void solve_all(const BatchCommand &c, const BatchSolver &solver, BatchSources &sources, Output &out,
+/// \return false where Ctrl-C ended it before the last gradation
+bool solve_all(const BatchCommand &c, const BatchSolver &solver, BatchSources &sources, Output &out,
                ProofStream *proofs, BatchReport &report) {
   std::atomic<std::uint64_t> count = 0;
   ProgressLine progress([&count] { return fmt::format("{} gradations", count.load()); }, c.output.quiet);
   constexpr std::size_t at_once = 512;
   for (std::vector<BatchItem> items = sources.next(at_once); !items.empty(); items = sources.next(at_once)) {
     std::string text;
+    std::optional<Interrupt> interrupt;
+    if (reads_stdin(c) && !c.shard) // where it waits for lines, Ctrl-C ends it at once
+      interrupt.emplace();
     const std::vector<BatchAnswer> answered = answers(solver, items, c.threads);
-    for (std::size_t i = 0; i < items.size(); ++i) {
+    for (std::size_t i = 0; i < answered.size(); ++i) {
       text += report.add(answered[i]);
       if (proofs && !answered[i].certificate.empty())
         proofs->add(items[i].number, answered[i].certificate);
     }
-    count += items.size();
+    count += answered.size();
     out.write(text);
+    if (answered.size() < items.size() || (interrupt && Interrupt::was_pressed()))
+      return false;
   }
+  return true;
 }
 
 /// The totals of a shard before it is solved.
@@ -190,11 +208,18 @@ int run(const BatchCommand &c) {
   if (c.has_proof_stream())
     proofs.emplace(*c.proofs);
   BatchReport report(c.output);
-  solve_all(c, solver, sources, out, proofs ? &*proofs : nullptr, report);
+  std::optional<Interrupt> interrupt;
+  if (!reads_stdin(c))
+    interrupt.emplace();
+  const bool is_whole = solve_all(c, solver, sources, out, proofs ? &*proofs : nullptr, report);
   if (proofs)
     proofs->commit();
   out.commit();
-  return report.worst();
+  if (is_whole)
+    return report.worst();
+  c.output.tell_notes({fmt::format(
+      "the run was interrupted: {} gradations are answered, the others were not asked", report.lines())});
+  return worse_exit(report.worst(), Exit::limited);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "answer/answer.hpp"
 #include "answer/batch_csv.hpp"
 #include "answer/error_line.hpp"
+#include "files/interrupt.hpp"
 #include "files/paths.hpp"
 #include "gradation/material_gradation.hpp"
 #include "text/json_writer.hpp"
@@ -74,8 +75,11 @@ BatchAnswer BatchSolver::solved(Gradation g, const BatchItem &item) const {
                      ": of several materials, for which the CSV has no column: leave it out, or give " +
                      option("format") + " json");
   const std::string checked = command_.has_proof_folder() && item.checked_as ? item.checked_as(g) : "";
-  BatchMatch answered = in_file(item.where, [&] { return question_.ask(std::move(g)); });
+  const ProgressCall go_on = [](const Progress &) { return !Interrupt::was_pressed(); };
+  BatchMatch answered = in_file(item.where, [&] { return question_.ask(std::move(g), go_on); });
   Match &m = answered.match;
+  if (!m.complete && Interrupt::was_pressed())
+    m.notes.push_back("the search was interrupted");
   std::string proof, certified;
   if (command_.proofs && has_certificate(m)) {
     certified = in_file(item.where, [&] { return certificate(m); });

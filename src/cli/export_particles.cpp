@@ -5,9 +5,9 @@
 #include "answer/answer_sample.hpp"
 #include "ask/option_values.hpp"
 #include "cli/export_command.hpp"
+#include "cli/search_progress.hpp"
 #include "files/byte_source.hpp"
 #include "files/paths.hpp"
-#include "files/progress_line.hpp"
 #include "files/sample_file.hpp"
 #include "files/standard_streams.hpp"
 #include "gradation/material_gradation.hpp"
@@ -73,7 +73,6 @@ ExportedParticles solved_particles(const ExportTexts &c, const OutputFlags &outp
                                    const std::optional<std::string> &content,
                                    const ParticleSetOptions &options) {
   const AskedQuestion asked = texts_of_solving(c).question(band_in_file);
-  ProgressLine progress([] { return std::string("solving"); }, output.quiet);
   const std::string &source = c.solve.source(c.file);
   const auto read = [&] {
     if (!content)
@@ -89,8 +88,16 @@ ExportedParticles solved_particles(const ExportTexts &c, const OutputFlags &outp
   };
   const Gradation g = read();
   const Question question = asked.of(g);
-  const SolveOptions solve_options = c.solve.options();
-  const Match m = in_file(source, [&] { return solve(g, question, solve_options); });
+  SolveOptions solve_options = c.solve.options();
+  const auto searched = [&] {
+    SearchProgress progress(output.quiet);
+    solve_options.progress = progress.call();
+    Match found = in_file(source, [&] { return solve(g, question, solve_options); });
+    if (!found.complete && Interrupt::was_pressed())
+      output.tell_notes({"the search was interrupted"});
+    return found;
+  };
+  const Match m = searched();
   output.tell_notes(m.gradation.notes()); // solve's own are of doubles that may leave their class
   if (m.status != Status::optimal)
     tell(printable(m.gradation.id()) + ": " + headline(m) + "\n");

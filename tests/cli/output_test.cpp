@@ -234,6 +234,39 @@ TEST_CASE("Ctrl-C ends a search with what is certain", "[cli]") {
   }
 }
 
+TEST_CASE("Ctrl-C ends a batch with the answers so far and what is certain of the gradation that it searches",
+          "[cli]") {
+  const TemporaryFolder folder;
+  const std::string easy = folder.write("easy.csv", "size_mm,mass\n2,0\n1,7\n0.5,3\n"),
+                    hard = folder.write("many.csv", uneven_csv());
+  for (const std::string &out : {std::string("-"), folder / "answers.jsonl"}) {
+    Process run(MDM_PROGRAM, {"batch", easy, hard, easy, "--tolerance", "total:0.2%", "-o", out});
+    std::this_thread::sleep_for(std::chrono::seconds(3)); // it is searching by now
+    run.signal(SIGINT);
+    const Outcome outcome = run.end();
+    CHECK(outcome.exit_code == 3);
+    const std::vector<std::string> answers = lines_of(out == "-" ? outcome.out : read_file(out));
+    REQUIRE(answers.size() == 2);
+    CHECK(answers[0].find("\"status\":\"optimal\"") != std::string::npos);
+    CHECK(answers[1].find("the search was interrupted") != std::string::npos);
+    CHECK(answers[1].find("\"lower_bound\"") != std::string::npos);
+    CHECK(outcome.err.find("interrupted: 2 gradations are answered, the others were not asked") !=
+          std::string::npos);
+  }
+}
+
+TEST_CASE("Ctrl-C ends the search of an export", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("many.csv", uneven_csv());
+  Process search(MDM_PROGRAM,
+                 {"export", file, "--to", "csv", "--tolerance", "total:0.2%", "-o", folder / "p.csv"});
+  std::this_thread::sleep_for(std::chrono::seconds(3)); // it is searching by now
+  search.signal(SIGINT);
+  const Outcome outcome = search.end();
+  CHECK(outcome.exit_code == 3);
+  CHECK(outcome.err.find("the search was interrupted") != std::string::npos);
+}
+
 TEST_CASE("Ctrl-C ends a trade-off with the rows so far and brackets around the others", "[cli]") {
   const TemporaryFolder folder;
   const std::string file = folder.write("many.csv", uneven_csv());
