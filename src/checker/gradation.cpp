@@ -26,6 +26,7 @@ struct Row {
 /// Turns the percentages or fractions P_j passing, ascending by size, into masses. Where they descend a mass
 /// becomes negative: with the last P_j full and the first not negative, none is out of bounds otherwise.
 void passing_to_masses(std::vector<Row> &rows, const mpq_class &full, bool has_factors) {
+  demand_form(rows.back().value <= full, rows.back().place, "more than the whole passes here: correct it");
   demand_form(rows.back().value == full, rows.back().place,
               "the largest sieve retains something: add one that retains nothing");
   const Row finest = rows.front();

@@ -195,7 +195,9 @@ int run(const std::vector<std::string> &arguments) {
   if (!words.prints && files.size() > 2)
     return report(check_several_files(files));
   const bool printing_alone = words.prints && files.size() == 1;
-  if ((files.size() != 2 && !printing_alone) || std::count(files.begin(), files.end(), "-") > 1)
+  if (std::count(files.begin(), files.end(), "-") > 1)
+    fail("mdm-check", "standard input has one file: give the others by name");
+  if (files.size() != 2 && !printing_alone)
     fail("mdm-check", "give one gradation and one certificate: see mdm-check --help");
   const Input gradation = read_input(files[0], most_gradation_bytes);
   if (printing_alone)

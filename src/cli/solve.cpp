@@ -88,6 +88,11 @@ std::optional<SideFile> readable_gradation(const SolveCommand &c, const Target &
   const std::string &source = c.flags.source(c.file);
   if (of.is_canonical && is_plain_file(source))
     return std::nullopt;
+  if (is_stream(*c.proof)) {
+    notes.push_back(
+        "mdm-check does not read this file as it was read here: mdm convert makes a file that it reads");
+    return std::nullopt;
+  }
   const std::string path = *c.proof + ".gradation.csv";
   check_distinct({source, *c.proof, path, c.vipr.value_or("-"), c.coq.value_or("-"), c.output.path()});
   notes.push_back("mdm-check does not read this file as it was read here: " +

@@ -58,6 +58,11 @@ void AnswerProofs::commit() {
 
 std::string AnswerProofs::note(const std::string &suite) const {
   const std::uint64_t missing = answers_ - proofs_;
+  if (proofs_ == 0)
+    return fmt::format(
+        "no certificate is in {}: sizes that are not stated, or have a tolerance, leave it open "
+        "whether answers match",
+        printable(path_));
   return fmt::format(
       "{} certificates are in {}; check them with: mdm-check {} {}{}{}", proofs_, printable(path_),
       option("suite", OptionSpelling::program), stream_ ? shell_word(suite) + " " : "", shell_word(path_),

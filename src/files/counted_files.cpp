@@ -8,7 +8,6 @@
 
 #include <mdm/text/error.hpp>
 
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -30,10 +29,8 @@ NamedFileTotals totals_of(Output &output, const std::string &name) {
 
 /// Refuses what is no regular file, nor to be one. \param name of the option that has the path
 void check_is_file(const std::string &path, const std::string &name) {
-  struct stat status {};
-  const bool exists = stat(path.c_str(), &status) == 0;
-  if (path == "-" || (exists && !S_ISREG(status.st_mode)))
-    throw file_error(path, "no file, and totals are of files: name a file with " + name);
+  if (is_stream(path))
+    throw InputError(name + " " + printable(path) + ": it is no file, and totals are of files: name one");
 }
 
 /// \return the lock of the answers

@@ -108,6 +108,11 @@ void check_size(const std::string &path, std::size_t bytes, std::size_t most) {
     throw file_error(path, fmt::format("more than {} MiB: is it the right file?", most >> 20));
 }
 
+bool is_stream(const std::string &path) {
+  struct stat status {};
+  return path == "-" || (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode));
+}
+
 void make_folder(const std::string &path) {
   std::error_code error;
   std::filesystem::create_directory(filesystem_path(path), error);
@@ -126,9 +131,7 @@ bool has_file(const std::string &folder, std::string_view ending) {
 void check_distinct(const std::vector<std::string> &paths) {
   std::set<std::string> seen;
   for (const std::string &path : paths) {
-    struct stat status {};
-    const bool exists = stat(path.c_str(), &status) == 0;
-    if (path == "-" || (exists && !S_ISREG(status.st_mode)))
+    if (is_stream(path))
       continue;
     if (!seen.insert(canonical_path(path)).second)
       would_be_overwritten(path);

@@ -45,6 +45,9 @@ void refuse_protected(const std::string &path);
 /// Refuses a file that cannot be read, before any work is done. \throws InputError
 void check_readable(const std::string &path);
 
+/// True of `-`, a device, a pipe: of what is there and no regular file.
+bool is_stream(const std::string &path);
+
 /// The bytes of a regular file as it lies on the disk; nothing of others.
 std::optional<std::uint64_t> file_bytes(const std::string &path);
 

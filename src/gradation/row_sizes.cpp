@@ -175,9 +175,10 @@ Rational RowSizes::row_size(std::string_view cell) {
     throw InputError("a date stands where a sieve belongs, as a spreadsheet makes one of 3/8: make the cell "
                      "text and write it again, 3/8 in");
   const bool passes = cell.size() > 1 && cell.front() == '-' && (is_digit(cell[1]) || cell[1] == '.');
-  if (is_above(cell) && !above_) {
+  const std::size_t behind_sign = cell.find_first_not_of(">=\u2265");
+  if (is_above(cell) && behind_sign != std::string_view::npos && !above_) {
     above_ = Above{rows_, std::string(cell)};
-    return size_of(without_spaces(cell.substr(cell.find_first_not_of(">=\u2265"))), ColumnUnit::none);
+    return size_of(without_spaces(cell.substr(behind_sign)), ColumnUnit::none);
   }
   if (is_above_or_below(cell) || (passes && columns_.sizes.unit != ColumnUnit::phi))
     throw InputError(single_size_refusal(cell));

@@ -63,7 +63,8 @@ void narrow_retained(Tolerance &tolerance, const Gradation &g, const std::vector
 
 const std::vector<Rational> &file_tolerances(const Gradation &g) {
   if (g.tolerances().empty())
-    throw InputError("the file has no column tolerance_percent: add one, or give the tolerance in percent");
+    throw InputError("the file has no column tolerance_percent: add one (in JSON tolerances_percent), or "
+                     "give the tolerance in percent");
   return g.tolerances();
 }
 
@@ -79,8 +80,8 @@ void narrow_to_envelope(Tolerance &tolerance, const Gradation &g, const Envelope
     const std::vector<Rational> &openings = g.powers();
     if (powered <= openings.front()) {
       if (envelope.passing_min[i] > 0)
-        throw InputError(sieve +
-                         " lets something pass, where the gradation has no finer class: add a row 'pan'");
+        throw InputError(sieve + " lets something pass, where the gradation has no finer class: add a row "
+                                 "'pan' (in JSON the size 0)");
       continue;
     }
     const auto found = std::lower_bound(openings.begin(), openings.end(), powered);

@@ -227,7 +227,7 @@ Certified exact_certificate(const Match &m) {
 
 void refuse_long_numbers() {
   throw InputError("the numbers are too long for a certificate that can be checked in reasonable time: round "
-                   "them, or ask for no proof");
+                   "sizes and masses, take a smaller exponent of the mass law, or ask for no proof");
 }
 
 namespace {

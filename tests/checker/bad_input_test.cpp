@@ -128,7 +128,7 @@ TEST_CASE("commands that are wrong", "[checker]") {
   check_exit_2(run({}), "mdm-check: ");
   check_exit_2(run({proof}), "mdm-check: ");
   check_exit_2(run({proof, proof, proof}), proof); // the first is no specification of a blend
-  check_exit_2(run({"-", "-"}), "mdm-check: ");
+  check_exit_2(run({"-", "-"}), "mdm-check: standard input has one file");
   check_exit_2(run({"--verbose", proof}), "mdm-check: ");
   check_exit_2(run({"", ""}), ": ");
   check_exit_2(run({"--print"}), "mdm-check: ");

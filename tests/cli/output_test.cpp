@@ -255,6 +255,16 @@ TEST_CASE("Ctrl-C ends a batch with the answers so far and what is certain of th
   }
 }
 
+TEST_CASE("an output without a name, and the gradation beside a proof that is no file", "[cli]") {
+  check_refused(mdm({"solve", athabasca, "-o", ""}), "an output has no name");
+  const TemporaryFolder folder;
+  const std::string sheet = folder.write("sheet.csv", "Sieve (mm),Retained (g)\n4,0\n2,30\nPan,7\n");
+  const Outcome outcome = mdm({"solve", sheet, "--proof", "/dev/null"});
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out.find("mdm convert makes a file that it reads") != std::string::npos);
+  CHECK(!std::filesystem::exists("/dev/null.gradation.csv"));
+}
+
 TEST_CASE("Ctrl-C ends the search of an export", "[cli]") {
   const TemporaryFolder folder;
   const std::string file = folder.write("many.csv", uneven_csv());

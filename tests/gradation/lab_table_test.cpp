@@ -75,6 +75,8 @@ TEST_CASE("Classes with what is above and below them") {
                  "write all alike"));
   CHECK(contains(refusal("Sieve (mm),Retained (g)\n>4.75,0\n2.36,60\n1.18,100\nPan,10\n"),
                  "'>4.75' is a range"));
+  CHECK(contains(refusal("Sieve (mm),Retained (g)\n>,0\n4.75-2.36,60\n"),
+                 "'>' is a range")); // found by fuzzing
   CHECK(contains(refusal("Size of it (mm),Retained (g)\n4.75,0\n2.36,60\n"),
                  "is not known to be a column of sieves"));
 }
