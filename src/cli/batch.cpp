@@ -257,12 +257,14 @@ Run add_batch(CLI::App &app) {
   c->output.add_out(command, "write", {"jsonl", "ndjson", "json", "csv", "txt"});
   c->output.add_quiet(command, "no progress and no notes on standard error");
   c->reading.add_to(command);
-  command.footer(footer("What ends in .zst is read and written compressed. mdm merge joins shards.\n",
-                        {"mdm batch suite.jsonl -j 4 -o answers.jsonl --proofs proofs",
-                         "mdm batch suite.jsonl -o answers.jsonl --proofs suite.proofs",
-                         "mdm batch suite.jsonl.zst --shard 7/100 -o 7.jsonl.zst --proofs 7.proofs.zst",
-                         "mdm batch site/*.csv report.ags -o answers.csv",
-                         "mdm batch --tolerance retained:1% < suite.jsonl > answers.jsonl"}));
+  command.footer(footer(
+      "What ends in .zst is read and written compressed. mdm merge joins shards. Ctrl-C ends a run with the "
+      "answers so far (exit 3); of a shard it leaves none.\n",
+      {"mdm batch suite.jsonl -j 4 -o answers.jsonl --proofs proofs",
+       "mdm batch suite.jsonl -o answers.jsonl --proofs suite.proofs",
+       "mdm batch suite.jsonl.zst --shard 7/100 -o 7.jsonl.zst --proofs 7.proofs.zst",
+       "mdm batch site/*.csv report.ags -o answers.csv",
+       "mdm batch --tolerance retained:1% < suite.jsonl > answers.jsonl"}));
   return [c] { return run(*c); };
 }
 
