@@ -258,8 +258,9 @@ Run add_batch(CLI::App &app) {
   c->output.add_quiet(command, "no progress and no notes on standard error");
   c->reading.add_to(command);
   command.footer(footer(
-      "What ends in .zst is read and written compressed. mdm merge joins shards. Ctrl-C ends a run with the "
-      "answers so far (exit 3); of a shard it leaves none.\n",
+      paragraph(
+          "What ends in .zst is read and written compressed. mdm merge joins shards. Ctrl-C ends a run with "
+          "the answers so far (exit 3); of a shard it leaves none."),
       {"mdm batch suite.jsonl -j 4 -o answers.jsonl --proofs proofs",
        "mdm batch suite.jsonl -o answers.jsonl --proofs suite.proofs",
        "mdm batch suite.jsonl.zst --shard 7/100 -o 7.jsonl.zst --proofs 7.proofs.zst",

@@ -107,7 +107,7 @@ Run add_suite(CLI::App &app) {
   c->output.add_out(command, "write", {"jsonl", "ndjson", "json", "txt"});
   c->output.add_quiet(command, "no progress on standard error");
   command.footer(footer(about_suites(), {"mdm suite beta.json --count 1000000 --seed 7 -o suite.jsonl",
-                                         "mdm suite beta.json --count 1000000000 --shard 7/1000 | "
+                                         "mdm suite beta.json --count 1e9 --shard 7/1000 | "
                                          "mdm batch - --shard 7/1000 --alone -o 7.jsonl"}));
   return [c] { return run(*c); };
 }

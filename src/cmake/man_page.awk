@@ -1,4 +1,4 @@
-# awk -v page=mdm-solve -v version=0.1.0 -f man_page.awk: the text of a --help as a page in roff, for man.
+# awk -v page=mdm-solve -v version=0.2.0 -f man_page.awk: the text of a --help as a page in roff, for man.
 #
 # The help has a sentence and `Usage: ...`, or the usages alone in its first lines; headings that end with a colon over
 # entries that are indented by two spaces; paragraphs, and commands below `Example:` or `Examples:`.

@@ -30,7 +30,8 @@ NamedFileTotals totals_of(Output &output, const std::string &name) {
 /// Refuses what is no regular file, nor to be one. \param name of the option that has the path
 void check_is_file(const std::string &path, const std::string &name) {
   if (is_stream(path))
-    throw InputError(name + " " + printable(path) + ": it is no file, and totals are of files: name one");
+    throw InputError(name + " " + printable(path) + ": no file, and totals are of files: name a file with " +
+                     name);
 }
 
 /// \return the lock of the answers

@@ -101,7 +101,7 @@ void remove_unfinished_at_signals() {
 
 Output::Output(std::string path) : path_(std::move(path)) {
   if (path_.empty())
-    throw InputError("an output has no name: give one, or - for standard output");
+    throw file_error(path_, "cannot be written: it is no name: give one, or - for standard output");
   refuse_protected(path_);
   if (path_.ends_with(".gz"))
     throw file_error(path_, "mdm writes no .gz: let the name end in .zst, or pack the file with gzip");

@@ -107,7 +107,7 @@ private:
     if (a != 0 && b != 0)
       return;
     result_.some_agree = true;
-    if (is_lost_below(a, b))
+    if (differs_below(a, b))
       return;
     if (agreeing_.empty())
       agreeing_.add(column(0).header);
@@ -135,12 +135,21 @@ private:
     return !a_.rows.have_fines() && masses.adds_masses() && have_rest(other);
   }
 
+  /// True where the difference of what passes the finest sieve is that of the rounding of all sieves: percent
+  /// passing may have been made of rounded percent retained.
+  static bool may_be_rounded(const AccountColumn &first, const AccountColumn &second) {
+    const std::optional<PrintedNumber> sieves = (first.is_retained() ? first : second).retained();
+    return first.is_share() && first.is_retained() != second.is_retained() && sieves &&
+           agree(*first.below, PrintedNumber{second.below->value, second.below->half + sieves->half});
+  }
+
   /// True where two columns of one unit differ in what passes the finest sieve by no more than their
   /// rounding, or than what was lost, which is in what passes and not in the pan.
   bool may_be_lost(const AccountColumn &first, const AccountColumn &second) const {
     const bool first_is_pan = first.is_retained() && !second.is_retained(),
                second_is_pan = second.is_retained() && !first.is_retained();
-    if (agree(*first.below, *second.below) || lacks_wash(first, second) || lacks_wash(second, first))
+    if (agree(*first.below, *second.below) || may_be_rounded(first, second) || lacks_wash(first, second) ||
+        lacks_wash(second, first))
       return true;
     if (first.is_share() && ((first_is_pan && first.below->value > second.below->value) ||
                              (second_is_pan && second.below->value > first.below->value)))
@@ -156,15 +165,21 @@ private:
            agree(*pan.below + share_of(wash->mass, initial->mass), *passing.below);
   }
 
-  /// True where they differ in it by more than their rounding, which is said.
-  bool is_lost_below(std::size_t a, std::size_t b) {
+  /// True where they differ in it by more than their own rounding, which is said.
+  bool differs_below(std::size_t a, std::size_t b) {
     const AccountColumn &first = column(a), &second = column(b);
     if (!first.below || !second.below || !share_unit(first, second) || agree(*first.below, *second.below) ||
         lacks_wash(first, second) || lacks_wash(second, first))
       return false;
-    notes_.push_back(fmt::format(
-        "{} passes the finest sieve by the column {}, {} by {}: the difference may have been lost.",
-        shown(first.below->value), quoted(a), shown(second.below->value), quoted(b)));
+    const std::string first_value = shown(first.below->value), second_value = shown(second.below->value);
+    notes_.push_back(
+        may_be_rounded(first, second)
+            ? fmt::format(
+                  "{} passes the finest sieve by the column {}, {} by {}: their rounding may account for it.",
+                  first_value, quoted(a), second_value, quoted(b))
+            : fmt::format(
+                  "{} passes the finest sieve by the column {}, {} by {}: the difference may have been lost.",
+                  first_value, quoted(a), second_value, quoted(b)));
     return true;
   }
 

@@ -256,7 +256,7 @@ TEST_CASE("Ctrl-C ends a batch with the answers so far and what is certain of th
 }
 
 TEST_CASE("an output without a name, and the gradation beside a proof that is no file", "[cli]") {
-  check_refused(mdm({"solve", athabasca, "-o", ""}), "an output has no name");
+  check_refused(mdm({"solve", athabasca, "-o", ""}), "'': cannot be written: it is no name");
   const TemporaryFolder folder;
   const std::string sheet = folder.write("sheet.csv", "Sieve (mm),Retained (g)\n4,0\n2,30\nPan,7\n");
   const Outcome outcome = mdm({"solve", sheet, "--proof", "/dev/null"});

@@ -8,9 +8,10 @@ using namespace cli_test;
 
 namespace {
 
-constexpr const char *commands[] = {"solve",      "batch",     "merge",    "convert",   "describe", "verify",
-                                    "crosscheck", "published", "generate", "blend",     "pack",     "study",
-                                    "tradeoff",   "plot",      "export",   "completion"};
+constexpr const char *commands[] = {"solve",      "batch",      "merge",     "convert",  "describe",
+                                    "verify",     "crosscheck", "published", "generate", "blend",
+                                    "pack",       "study",      "tradeoff",  "plot",     "export",
+                                    "completion", "suite",      "report",    "judge"};
 
 /// The length of the longest line.
 std::size_t columns(const std::string &text) {

@@ -2,7 +2,7 @@ class Exactmdm < Formula
   desc "Exact minimal discrete matches of grain size distributions"
   # There is no homepage yet, and `brew audit` will say so.
   url "@SOURCE_URL@"
-  version "0.1.0"
+  version "0.2.0"
   sha256 "@SHA256@"
   license "Apache-2.0"
 

@@ -21,7 +21,7 @@
 
 stdenv.mkDerivation {
   pname = "exactmdm";
-  version = "0.1.0";
+  version = "0.2.0";
 
   src = fetchurl {
     url = "@SOURCE_URL@";

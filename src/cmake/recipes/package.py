@@ -11,7 +11,7 @@ class Exactmdm(CMakePackage):
 
     license("Apache-2.0")
 
-    version("0.1.0", sha256="@SHA256@")
+    version("0.2.0", sha256="@SHA256@")
 
     generator("ninja")
 
