@@ -43,6 +43,22 @@ std::optional<Rational> known_factor(const AccountColumn &first, const AccountCo
   return std::nullopt;
 }
 
+/// The first sieve up to which, from the sieve before that both columns tell apart, what they retain does not
+/// fit; nothing where it fits everywhere.
+template <typename Fits>
+std::optional<std::size_t> first_misfit(const AccountColumn &first, const AccountColumn &second,
+                                        const Fits &fits) {
+  std::size_t from = 0;
+  for (std::size_t to = 1; to <= first.sieves.size(); ++to) {
+    const std::optional<PrintedNumber> a = first.between(from, to), b = second.between(from, to);
+    if (a && b && !fits(*a, *b))
+      return to - 1;
+    if (first.is_station(to) && second.is_station(to))
+      from = to;
+  }
+  return std::nullopt;
+}
+
 } // namespace
 
 bool AccountColumn::is_station(std::size_t count) const {
@@ -92,16 +108,12 @@ ColumnComparison compare(const AccountColumn &first, const AccountColumn &second
   ColumnComparison result;
   const std::optional<Rational> known = known_factor(first, second);
   FactorRange factor(known);
-  std::size_t from = 0;
-  for (std::size_t to = 1; to <= first.sieves.size(); ++to) {
-    const std::optional<PrintedNumber> a = first.between(from, to), b = second.between(from, to);
-    if (a && b && !factor.narrow(a->range(), b->range())) {
-      result.disagreement = to - 1;
-      return result;
-    }
-    if (first.is_station(to) && second.is_station(to))
-      from = to;
-  }
+  result.disagreement =
+      first_misfit(first, second, [&factor](const PrintedNumber &a, const PrintedNumber &b) {
+        return factor.narrow(a.range(), b.range());
+      });
+  if (result.disagreement)
+    return result;
   if (!known && second.is_share() && factor.is_bounded())
     result.whole = Interval(100 / factor.high(), 100 / factor.low());
   return result;
@@ -112,20 +124,12 @@ bool may_have_shares(const AccountColumn &masses, const AccountColumn &shares) {
   if (!whole || !masses.below || !masses.is_retained())
     return true;
   // A part and the rest are rounded apart: the part is the largest share where it is most and the rest least.
-  const auto may_be = [&whole](const PrintedNumber &part, const Interval &share) {
-    const Interval here = part.range(),
+  const auto may_be = [&whole](const PrintedNumber &part, const PrintedNumber &percent) {
+    const Interval here = part.range(), share = percent.range(),
                    rest = PrintedNumber{whole->value - part.value, whole->half - part.half}.range();
     return share.lo * (here.hi + rest.lo) <= 100 * here.hi && 100 * here.lo <= share.hi * (here.lo + rest.hi);
   };
-  std::size_t from = 0;
-  for (std::size_t to = 1; to <= masses.sieves.size(); ++to) {
-    const std::optional<PrintedNumber> mass = masses.between(from, to), share = shares.between(from, to);
-    if (mass && share && !may_be(*mass, share->range()))
-      return false;
-    if (masses.is_station(to) && shares.is_station(to))
-      from = to;
-  }
-  return true;
+  return !first_misfit(masses, shares, may_be);
 }
 
 } // namespace mdm

@@ -146,15 +146,18 @@ private:
   /// True where two columns of one unit differ in what passes the finest sieve by no more than their
   /// rounding, or than what was lost, which is in what passes and not in the pan.
   bool may_be_lost(const AccountColumn &first, const AccountColumn &second) const {
-    const bool first_is_pan = first.is_retained() && !second.is_retained(),
-               second_is_pan = second.is_retained() && !first.is_retained();
-    if (agree(*first.below, *second.below) || may_be_rounded(first, second) || lacks_wash(first, second) ||
-        lacks_wash(second, first))
+    if (agree_below(first, second) || may_be_rounded(first, second))
       return true;
-    if (first.is_share() && ((first_is_pan && first.below->value > second.below->value) ||
-                             (second_is_pan && second.below->value > first.below->value)))
+    const AccountColumn &pan = first.is_retained() ? first : second,
+                        &other = first.is_retained() ? second : first;
+    if (pan.is_share() && pan.is_retained() != other.is_retained() && pan.below->value > other.below->value)
       return false;
     return a_.loss.explains(*first.below, *second.below, first.whole()->value);
+  }
+
+  /// True where both may have one number, as it stands or but for what was washed out.
+  bool agree_below(const AccountColumn &first, const AccountColumn &second) const {
+    return agree(*first.below, *second.below) || lacks_wash(first, second) || lacks_wash(second, first);
   }
 
   /// True for a share of the pan without what was washed out, which stands in no row, beside what passes.
@@ -168,8 +171,7 @@ private:
   /// True where they differ in it by more than their own rounding, which is said.
   bool differs_below(std::size_t a, std::size_t b) {
     const AccountColumn &first = column(a), &second = column(b);
-    if (!first.below || !second.below || !share_unit(first, second) || agree(*first.below, *second.below) ||
-        lacks_wash(first, second) || lacks_wash(second, first))
+    if (!first.below || !second.below || !share_unit(first, second) || agree_below(first, second))
       return false;
     const std::string first_value = shown(first.below->value), second_value = shown(second.below->value);
     notes_.push_back(

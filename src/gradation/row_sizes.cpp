@@ -25,9 +25,13 @@ SizeUnit table_unit(ColumnUnit unit) {
   return length == SizeUnit::in ? SizeUnit::mm : length;
 }
 
+/// `> 4.75`: what stays on that sieve, where the other rows are ranges.
+bool is_above(std::string_view cell) {
+  return cell.starts_with('>') || cell.starts_with("\u2265");
+}
+
 bool is_above_or_below(std::string_view cell) {
-  return cell.starts_with('<') || cell.starts_with('>') || cell.starts_with("\u2264") ||
-         cell.starts_with("\u2265");
+  return is_above(cell) || cell.starts_with('<') || cell.starts_with("\u2264");
 }
 
 /// The digits of a number alone.
@@ -72,11 +76,6 @@ bool names_classes(std::string_view header) {
       "range ranges class classes kornfraktion kornfraktionen kornklasse kornklassen korngruppe "
       "korngruppen",
       words_of(header));
-}
-
-/// `> 4.75`: what stays on that sieve, where the other rows are ranges.
-bool is_above(std::string_view cell) {
-  return cell.starts_with('>') || cell.starts_with("\u2265");
 }
 
 std::string single_size_refusal(std::string_view cell) {

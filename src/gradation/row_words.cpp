@@ -169,10 +169,10 @@ std::string named_sieve(std::string_view text) {
     --end;
   std::string sieve(text.substr(digit, end - digit));
   const std::size_t before_digit = text.substr(0, digit).find_last_not_of(" .") + 1;
-  const std::string ahead = plain_words(text.substr(0, before_digit));
+  const std::string_view up_to_digit = text.substr(0, before_digit);
+  const std::string ahead = plain_words(up_to_digit);
   if (before_digit > 0 && text[before_digit - 1] == '#')
     return "#" + sieve;
-  const std::string_view up_to_digit = text.substr(0, before_digit);
   const bool has_degree = up_to_digit.ends_with("\u00B0") || up_to_digit.ends_with("\u00BA"); // `N°200`
   if (ahead == "no" || ahead == "nr" || ahead.ends_with(" no") || ahead.ends_with(" nr") ||
       (has_degree && (ahead == "n" || ahead.ends_with(" n"))))

@@ -28,8 +28,10 @@ std::optional<std::ptrdiff_t> out_of_falling(const std::vector<Rational> &sizes)
 } // namespace
 
 std::optional<std::size_t> out_of_order(const std::vector<Rational> &sizes) {
+  if (sizes.size() < 5 || fall(sizes))
+    return std::nullopt;
   const std::vector<Rational> upwards(sizes.rbegin(), sizes.rend());
-  if (sizes.size() < 5 || fall(sizes) || fall(upwards))
+  if (fall(upwards))
     return std::nullopt;
   if (const std::optional<std::ptrdiff_t> row = out_of_falling(sizes))
     return static_cast<std::size_t>(*row);
