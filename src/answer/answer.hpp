@@ -30,6 +30,9 @@ void spread_csv(const Match &m, const Spread &spread, const Sink &sink);
 /// The verdict in one line: N, or the bounds that are certain, and the question.
 std::string headline(const Match &m);
 
+/// What the budget suffices for, in one line.
+std::string budget_text(const MatchBudget &budget);
+
 /// For people; of a spread the smallest and the largest size of each class; with_scale: also the window of
 /// the scale and the one that was chosen.
 std::string answer_text(const Match &m, const Spectrum *spectrum = nullptr, const Spread *spread = nullptr,

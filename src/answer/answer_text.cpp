@@ -209,7 +209,8 @@ void add_text_spread(TextBuffer &out, const Match &m, const Spread &spread) {
   add(out, "{}", table.text());
 }
 
-/// What the budget suffices for.
+} // namespace
+
 std::string budget_text(const MatchBudget &budget) {
   const std::string particles = counted(budget.particles);
   const bool is_tolerance = budget.by == BudgetBy::tolerance;
@@ -224,8 +225,6 @@ std::string budget_text(const MatchBudget &budget) {
   return particles + ": the " + what + " " + to_decimal(*budget.enough) + sign + " suffices" +
          (budget.next_finer ? ", " + to_decimal(*budget.next_finer) + sign + " does not" : "");
 }
-
-} // namespace
 
 std::string headline(const Match &m) {
   const std::string words = in_words(m.question, m.gradation.unit());

@@ -24,6 +24,7 @@ struct FileBeside {
 struct ExportTexts {
   OptionText file; ///< open: the band alone
   SolveTexts solve;
+  BudgetTexts budget;
   std::vector<std::string> solving; ///< the options that are given that only a gradation has a use for
   OptionText unit, density, mass_error, box, seed, young, poisson, model, steps, start, sides, pressure,
       tolerance, dimension, axial_strain, constant, friction, friction_while_filling, rolling_friction,
@@ -58,6 +59,7 @@ struct ExportedParticles {
   std::string question;                  ///< of an answer, in words
   bool has_gradation = true;             ///< FILE is one, by which the particles can be judged
   std::optional<KeptPlaces> places = {}; ///< that a file of particles has
+  OptionText size_factor = {};           ///< that a budget chose
 };
 
 /// \throws InputError if --to is none

@@ -64,14 +64,14 @@ const char *name(OptionKind kind) {
 
 const std::vector<OptionsOfCommand> &option_table() {
   static const std::vector<OptionsOfCommand> table = {
-      {"solve", rows_of(SolveTexts::tolerance_options, BudgetTexts::options, SolveTexts::question_options,
-                        SolveTexts::search_options, GradationTexts::options, SolveTexts::answer_options,
-                        SolveTexts::limit_options)},
+      {"solve", rows_of(SolveTexts::tolerance_options, SolveTexts::band_options, BudgetTexts::options,
+                        SolveTexts::question_options, SolveTexts::search_options, GradationTexts::options,
+                        SolveTexts::answer_options, SolveTexts::limit_options)},
       {"verify", rows_of(VerifyTexts::options, ParticleTexts::options, GradationTexts::options,
                          VerifyTexts::answer_options, PlaceTexts::options)},
       {"crosscheck",
-       rows_of(CrosscheckTexts::options, SolveTexts::tolerance_options, SolveTexts::question_options,
-               GradationTexts::options, CrosscheckTexts::limit_options)},
+       rows_of(CrosscheckTexts::options, SolveTexts::tolerance_options, SolveTexts::band_options,
+               SolveTexts::question_options, GradationTexts::options, CrosscheckTexts::limit_options)},
       {"tradeoff", rows_of(TradeoffTexts::options)}, // and those of solve
       {"blend", without("target", rows_of(BlendTexts::question_options, BlendTexts::answer_options,
                                           BlendTexts::limit_options, ReadingTexts::options))},
@@ -88,9 +88,14 @@ const std::vector<OptionsOfCommand> &option_table() {
        without("digits",
                rows_of(ExportTexts::options, ExportTexts::particle_options, ExportTexts::start_options,
                        ExportTexts::model_options, ExportTexts::size_options, SolveTexts::tolerance_options,
-                       SolveTexts::question_options, SolveTexts::search_options, GradationTexts::options,
-                       SolveTexts::limit_options, SolveTexts::answer_options, ReadingTexts::options))},
-      {"plot", rows_of(PlotTexts::options, SoilTexts::options, ReadingTexts::options)},
+                       SolveTexts::band_options, BudgetTexts::options, SolveTexts::question_options,
+                       SolveTexts::search_options, GradationTexts::options, SolveTexts::limit_options,
+                       SolveTexts::answer_options, ReadingTexts::options))},
+      {"plot", without("digits",
+                       rows_of(PlotTexts::options, SoilTexts::options, SolveTexts::tolerance_options,
+                               BudgetTexts::options, SolveTexts::question_options, SolveTexts::search_options,
+                               GradationTexts::options, SolveTexts::limit_options, SolveTexts::answer_options,
+                               ReadingTexts::options))},
       {"suite", without("shard", rows_of(SuiteTexts::options))}}; // lines with a step are a shard
   return table;
 }

@@ -1,6 +1,7 @@
 #include "ask/plot.hpp"
 
 #include "ask/option_values.hpp"
+#include "match/smallest_match.hpp"
 #include "text/option_name.hpp"
 
 #include <mdm/text/error.hpp>
@@ -10,7 +11,8 @@
 namespace mdm {
 
 const std::vector<OptionRow<PlotTexts>> PlotTexts::options = {
-    {"match", "", OptionKind::flag, "show the smallest match: solve now", &PlotTexts::match},
+    {"match", "", OptionKind::flag,
+     "show the smallest match: solve now; options of solving say how, and mean it too", &PlotTexts::match},
     {"what",
      "TEXT",
      OptionKind::text,
@@ -19,9 +21,8 @@ const std::vector<OptionRow<PlotTexts>> PlotTexts::options = {
      &PlotTexts::what,
      {"curve", "counts", "both", "section"}},
     {"band", "FILE", OptionKind::file,
-     "show an envelope: CSV with passing_min_percent,passing_max_percent, or a table with "
-     "columns such as "
-     "Lower and Upper",
+     "show an envelope, in which a match is to be: CSV with passing_min_percent,passing_max_percent, or a "
+     "table with columns such as Lower and Upper",
      &PlotTexts::band},
     {"bands",
      "TEXT",
@@ -71,13 +72,26 @@ const std::vector<OptionRow<PlotTexts>> PlotTexts::options = {
      &PlotTexts::bare}};
 
 void PlotTexts::check() const {
-  if (sample && match)
-    throw InputError("SAMPLE and " + option("match") +
+  if (sample && wants_match())
+    throw InputError("SAMPLE and " + (match ? option("match") : given_of_solving()) +
                      ": give one of them, particles or the wish for a match");
-  if (what && *what != "curve" && !sample && !match)
+  if (what && *what != "curve" && !sample && !wants_match())
     throw InputError(option("what") + " " + *what +
                      ": give a SAMPLE, for example the answer of mdm solve --format json, or " +
                      option("match"));
+}
+
+std::string PlotTexts::given_of_solving() const {
+  const std::string given = solve.given();
+  return given.empty() ? budget.given() : given;
+}
+
+SolveTexts PlotTexts::match_texts() const {
+  SolveTexts texts = solve;
+  texts.band = band;
+  if (!texts.is_tolerant() && !budget.particles && !texts.max_steps && !texts.time_limit)
+    texts.max_steps = std::to_string(most_steps_beside);
+  return texts;
 }
 
 SieveNames PlotTexts::names_of_sieves(bool is_sample) const {
@@ -132,7 +146,8 @@ std::optional<TextureSystem> PlotTexts::texture_system() const {
 }
 
 bool PlotTexts::is_of_gradation() const {
-  return sample || texture || match || what || band || bands || coarse_left || sieve_names || soil.is_given();
+  return sample || texture || wants_match() || what || band || bands || coarse_left || sieve_names ||
+         soil.is_given();
 }
 
 std::vector<DrawnClass> drawn(const AnswerSample &answer, SizeUnit unit) {

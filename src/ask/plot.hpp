@@ -5,6 +5,7 @@
 #include "answer/answer_sample.hpp"
 #include "ask/option_row.hpp"
 #include "ask/soil_options.hpp"
+#include "ask/solve_options.hpp"
 #include "particles/description_sink.hpp"
 #include "particles/placed_sink.hpp"
 #include "particles/sample_sieves.hpp"
@@ -26,11 +27,19 @@ struct PlotTexts {
   bool bare = false;
   OptionText language, width, caption;
   SoilTexts soil;
+  SolveTexts solve; ///< of the match; its band is `band`, its pan that of the soil
+  BudgetTexts budget;
 
-  /// All but those of the soil.
+  /// All but those of the soil and of solving.
   static const std::vector<OptionRow<PlotTexts>> options;
 
   bool wants_section() const { return what == "section"; }
+  /// An option of solving that is given, as messages name it; empty: none.
+  std::string given_of_solving() const;
+  /// True if a match is to be solved: also where an option says how.
+  bool wants_match() const { return match || !given_of_solving().empty(); }
+  /// The options of solving, in bounded time where they are of exact matches and have no limit.
+  SolveTexts match_texts() const;
   /// Refuses options that do not go together. \throws InputError naming them
   void check() const;
   /// The figure as far as options say it. \param is_sample  the curve is that of particles

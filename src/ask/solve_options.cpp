@@ -83,7 +83,9 @@ const std::vector<OptionRow<SolveTexts>> SolveTexts::tolerance_options = {
     {"tolerance", "WHICH", OptionKind::tolerances,
      "the smallest match within a tolerance: retained:1%, passing:0.5%, total:1% (percentage points), "
      "retained:file, passing:file (column tolerance_percent), laboratory, rounding; may be repeated",
-     &SolveTexts::tolerances},
+     &SolveTexts::tolerances}};
+
+const std::vector<OptionRow<SolveTexts>> SolveTexts::band_options = {
     {"band", "FILE", OptionKind::file,
      "the smallest match within the envelope in FILE: CSV with passing_min_percent and passing_max_percent "
      "of each sieve, or a table with columns such as Lower and Upper",
@@ -175,6 +177,15 @@ AskedQuestion SolveTexts::question(const ReadBand &read_band) const {
   return question_of_both(read_band);
 }
 
+std::string SolveTexts::given() const {
+  std::string found = tolerances.empty() ? "" : option("tolerance");
+  for_each_option(*this, [&found](const char *name, const OptionText &text) {
+    if (text && found.empty())
+      found = option(name);
+  });
+  return found;
+}
+
 std::optional<std::string> SolveTexts::idle_for_materials() const {
   for (const auto &[name, text] :
        {std::pair{"band", band}, std::pair{"pan-size", pan_size}, std::pair{"cut-below", cut_below}})
@@ -228,13 +239,16 @@ SolveOptions SolveTexts::options(bool keep_proof) const {
   return o;
 }
 
+std::string BudgetTexts::given() const {
+  for (const OptionRow<BudgetTexts> &row : options)
+    if (this->*row.text())
+      return option(row.name);
+  return "";
+}
+
 void BudgetTexts::check() const {
-  if (particles)
-    return;
-  for (const auto &[name, text] : {std::pair{"grid", grid}, std::pair{"by", by}})
-    if (text)
-      throw InputError(option(name) + ": it is of a budget: add " + option("particles") +
-                       ", or leave it out");
+  if (!particles && !given().empty())
+    throw InputError(given() + ": it is of a budget: add " + option("particles") + ", or leave it out");
 }
 
 Budget BudgetTexts::budget(const SolveTexts &others) const {

@@ -43,8 +43,8 @@ struct SolveTexts : GradationTexts {
   OptionText max_steps, node_limit, time_limit, gap;
 
   /// All but those of GradationTexts, by what they are about; search_options are of one search alone.
-  static const std::vector<OptionRow<SolveTexts>> tolerance_options, question_options, search_options,
-      answer_options, limit_options;
+  static const std::vector<OptionRow<SolveTexts>> tolerance_options, band_options, question_options,
+      search_options, answer_options, limit_options;
 
   /// The source of the gradation: FILE, or else the band alone.
   const std::string &source(const OptionText &file) const { return file ? *file : *band; }
@@ -52,6 +52,8 @@ struct SolveTexts : GradationTexts {
   /// \throws InputError if there is neither, or if they do not go together
   void check_source(const OptionText &file, const std::string &reading, const std::string &command) const;
   bool is_tolerant() const { return !tolerances.empty() || band; }
+  /// An option of these but --band that is given, as messages name it; empty: none.
+  std::string given() const;
   AskedQuestion question(const ReadBand &read_band) const;
   /// The same for a command that looks for exact matches and for those within a tolerance: limits of either
   /// serve.
@@ -81,6 +83,8 @@ struct BudgetTexts {
 
   static const std::vector<OptionRow<BudgetTexts>> options;
 
+  /// An option of these that is given, as messages name it; empty: none.
+  std::string given() const;
   /// Refuses what belongs to a budget where there is none.
   void check() const;
   /// The budget; its kind is the one tolerance of the other options, or retained. \pre particles

@@ -237,7 +237,9 @@ Run add_batch(CLI::App &app) {
   command
       .add_option("--proofs", c->proofs,
                   "write certificates for mdm-check --suite: into the folder NAME, named by the gradation's "
-                  "number and id, of a gradation file also what mdm-check reads; or, where NAME ends in "
+                  "number and id, of a gradation file also what mdm-check reads, and of a budget "
+                  "NAME.proof.finer, that "
+                  "the next finer step needs more particles; or, where NAME ends in "
                   ".proofs or .proofs.zst or is that of a shard, as one stream with the index NAME.index")
       ->type_name("NAME");
   command
@@ -255,6 +257,7 @@ Run add_batch(CLI::App &app) {
                   "json (a line a gradation) or csv (a row a class); csv if OUT ends so, else json")
       ->check(CLI::IsMember({"json", "csv"}));
   c->output.add_out(command, "write", {"jsonl", "ndjson", "json", "csv", "txt"});
+  c->output.add_verbose(command, "on standard error also each answer as text, with its scale");
   c->output.add_quiet(command, "no progress and no notes on standard error");
   c->reading.add_to(command);
   command.footer(footer(

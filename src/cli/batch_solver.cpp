@@ -3,7 +3,8 @@
 #include "answer/answer.hpp"
 #include "answer/batch_csv.hpp"
 #include "answer/error_line.hpp"
-#include "files/interrupt.hpp"
+#include "cli/finer_proof.hpp"
+#include "cli/search_progress.hpp"
 #include "files/paths.hpp"
 #include "gradation/material_gradation.hpp"
 #include "text/json_writer.hpp"
@@ -36,19 +37,26 @@ std::string proof_name(std::uint64_t number, const std::string &id) {
                                                       : fmt::format("{:06}-{}", number, name);
 }
 
-/// CSV has no place for a verdict and for notes.
-BatchAnswer csv_answer(const Match &m, Outcome outcome) {
-  const std::string id = printable(m.gradation.id());
-  std::string told = m.status == Status::optimal ? "" : id + ": " + headline(m) + "\n";
+/// What standard error has beside the answer: CSV has no place for a verdict, a budget and notes.
+std::string told(const Match &m, const OutputFlags &output) {
+  if (output.verbose)
+    return answer_text(m, nullptr, nullptr, true);
+  if (!output.is_csv())
+    return "";
+  const std::string id = printable(m.gradation.id()) + ": ";
+  std::string text = m.status == Status::optimal ? "" : id + headline(m) + "\n";
+  if (m.budget)
+    text += id + budget_text(*m.budget) + "\n";
   for (const std::string &note : m.notes)
-    told += id + ": note: " + note + "\n";
-  return {batch_csv(m), exit_code(outcome), told, id, std::string(name(m.gradation.unit()))};
+    text += id + "note: " + note + "\n";
+  return text;
 }
 
 } // namespace
 
 BatchSolver::BatchSolver(const BatchCommand &command)
-    : command_(command), question_(command.flags, band_in_file, command.proofs.has_value()) {}
+    : command_(command),
+      search_(command.flags, command.flags.budget, band_in_file, command.proofs.has_value()) {}
 
 BatchAnswer BatchSolver::answer(const BatchItem &item) const {
   try {
@@ -69,41 +77,49 @@ BatchAnswer BatchSolver::error(const std::string &id, const std::string &message
 
 BatchAnswer BatchSolver::solved(Gradation g, const BatchItem &item) const {
   if (!g.materials().empty())
-    refuse_beside_materials(command_.flags.idle_for_materials().value_or(""), item.where);
+    refuse_beside_materials(command_.flags.idle_for_materials().value_or(command_.flags.budget.given()),
+                            item.where);
   if (command_.output.is_csv() && !g.materials().empty())
     throw InputError(printable(item.where) +
                      ": of several materials, for which the CSV has no column: leave it out, or give " +
                      option("format") + " json");
   const std::string checked = command_.has_proof_folder() && item.checked_as ? item.checked_as(g) : "";
   const ProgressCall go_on = [](const Progress &) { return !Interrupt::was_pressed(); };
-  BatchMatch answered = in_file(item.where, [&] { return question_.ask(std::move(g), go_on); });
+  Found answered = in_file(item.where, [&] { return search_.ask(std::move(g), go_on); });
   Match &m = answered.match;
-  if (!m.complete && Interrupt::was_pressed())
-    m.notes.push_back("the search was interrupted");
-  std::string proof, certified;
+  SearchProgress::note_interrupt(m);
+  std::string proof, certificate_text;
   if (command_.proofs && has_certificate(m)) {
-    certified = in_file(item.where, [&] { return certificate(m); });
+    certificate_text = in_file(item.where, [&] { return certificate(m); });
     if (command_.has_proof_folder())
-      proof = write_proof(std::exchange(certified, {}), item, m.gradation.id(), checked);
+      proof = write_proofs(std::exchange(certificate_text, {}), answered, item, checked);
+    else if (answered.finer)
+      m.notes.push_back("a stream of proofs does not hold that of the next finer step: give " +
+                        option("proofs") + " a folder");
   } else if (command_.proofs) {
     m.notes.push_back("no proof was written: the limit came before the end");
   }
-  BatchAnswer answer = command_.output.is_csv()
-                           ? csv_answer(m, answered.outcome)
-                           : BatchAnswer{answer_json(m, nullptr, proof) + "\n", exit_code(answered.outcome)};
-  answer.certificate = std::move(certified);
+  BatchAnswer answer{command_.output.is_csv() ? batch_csv(m) : answer_json(m, nullptr, proof) + "\n",
+                     exit_code(answered.outcome), told(m, command_.output)};
+  if (command_.output.is_csv()) {
+    answer.id = printable(m.gradation.id());
+    answer.unit = name(m.gradation.unit());
+  }
+  answer.certificate = std::move(certificate_text);
   return answer;
 }
 
 /// \param checked the gradation file beside it, if there is to be one
 /// \return the name of its file
-std::string BatchSolver::write_proof(const std::string &certificate, const BatchItem &item,
-                                     const std::string &id, const std::string &checked) const {
-  const std::string name = proof_name(item.number, id);
-  write_output(*command_.proofs + "/" + name + ".proof", certificate);
+std::string BatchSolver::write_proofs(const std::string &certificate, Found &found, const BatchItem &item,
+                                      const std::string &checked) const {
+  const std::string name = proof_name(item.number, found.match.gradation.id()), proof = name + ".proof";
+  write_output(*command_.proofs + "/" + proof, certificate);
+  if (const std::optional<std::string> finer = finer_certificate(found))
+    write_output(*command_.proofs + "/" + finer_proof(proof), *finer);
   if (!checked.empty())
     write_output(*command_.proofs + "/" + name + ".gradation", checked);
-  return name + ".proof";
+  return proof;
 }
 
 } // namespace mdm::cli

@@ -2,7 +2,7 @@
 /// \file
 /// The answers of a batch, one by one.
 
-#include "ask/batch_question.hpp"
+#include "ask/asked_search.hpp"
 #include "cli/batch_command.hpp"
 #include "cli/exit_code.hpp"
 #include "files/batch_sources.hpp"
@@ -13,7 +13,7 @@ namespace mdm::cli {
 struct BatchAnswer {
   std::string text;
   int exit = Exit::done;
-  std::string told = {};        ///< what standard error has beside CSV
+  std::string told = {};        ///< on standard error
   std::string id = {};          ///< of a table's rows
   std::string unit = {};        ///< the same; empty: no rows
   std::string certificate = {}; ///< for the stream of proofs; empty: none
@@ -33,11 +33,11 @@ public:
 private:
   BatchAnswer error(const std::string &id, const std::string &message) const;
   BatchAnswer solved(Gradation g, const BatchItem &item) const;
-  std::string write_proof(const std::string &certificate, const BatchItem &item, const std::string &id,
-                          const std::string &checked) const;
+  std::string write_proofs(const std::string &certificate, Found &found, const BatchItem &item,
+                           const std::string &checked) const;
 
   const BatchCommand &command_;
-  BatchQuestion question_;
+  AskedSearch search_;
 };
 
 } // namespace mdm::cli

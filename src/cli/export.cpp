@@ -27,6 +27,7 @@ namespace mdm::cli {
 ExportTexts ExportCommand::asked() const {
   ExportTexts texts = own;
   texts.solve = flags;
+  texts.budget = flags.budget;
   texts.reading = reading;
   texts.out = output.path();
   for (const CLI::Option *const option : solving)
@@ -144,7 +145,10 @@ int run(const ExportCommand &command) {
   const ExportedParticles found = exported_particles(c, command.output, options);
   if (!found.set)
     return exit_code(found.outcome);
-  write_particles(c, command.output.quiet, format, model, found);
+  ExportTexts as_found = c;
+  if (found.size_factor)
+    as_found.solve.size_factor = found.size_factor;
+  write_particles(as_found, command.output.quiet, format, model, found);
   return exit_code(found.outcome);
 }
 
@@ -190,6 +194,7 @@ Run add_export(CLI::App &app) {
   for (CLI::Option *const option : c->reading.add_to(command))
     c->solving.push_back(option);
   c->output.add_out(command, "write the file", text_endings);
+  c->output.add_verbose(command, "on standard error also the answer to a gradation, with its scale");
   c->output.add_quiet(command, "no progress, costs and notes on standard error");
   command.footer(footer(
       paragraph(

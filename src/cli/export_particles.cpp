@@ -3,6 +3,7 @@
 #include "answer/answer.hpp"
 #include "answer/answer_particles.hpp"
 #include "answer/answer_sample.hpp"
+#include "ask/asked_search.hpp"
 #include "ask/option_values.hpp"
 #include "cli/export_command.hpp"
 #include "cli/search_progress.hpp"
@@ -16,6 +17,7 @@
 #include "text/lines.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
+#include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
 
 #include <fmt/core.h>
@@ -61,8 +63,21 @@ ExportedParticles sample_particles(const ExportTexts &c, const OutputFlags &outp
   return found;
 }
 
+/// Says how the particles match: all of it, or what an exported file does not show.
+void tell_answer(const Match &m, const OutputFlags &output) {
+  const std::string id = printable(m.gradation.id()) + ": ";
+  if (output.verbose && !output.quiet)
+    return tell(answer_text(m, nullptr, nullptr, true));
+  if (m.status != Status::optimal)
+    tell(id + headline(m) + "\n");
+  if (m.budget && !output.quiet)
+    tell(id + budget_text(*m.budget) + "\n");
+}
+
 /// An option that has no use for a gradation of several materials; empty: none.
 std::string idle_for_materials(const ExportTexts &c) {
+  if (const std::string budget = c.budget.given(); !budget.empty())
+    return budget;
   return c.solve.idle_for_materials().value_or(c.spread      ? option("spread")
                                                : c.gradation ? option("gradation")
                                                              : c.reading.given());
@@ -72,11 +87,11 @@ std::string idle_for_materials(const ExportTexts &c) {
 ExportedParticles solved_particles(const ExportTexts &c, const OutputFlags &output,
                                    const std::optional<std::string> &content,
                                    const ParticleSetOptions &options) {
-  const AskedQuestion asked = texts_of_solving(c).question(band_in_file);
+  const AskedSearch search(texts_of_solving(c), c.budget, band_in_file, false);
   const std::string &source = c.solve.source(c.file);
   const auto read = [&] {
     if (!content)
-      return in_file(source, [&] { return middle_of(*asked.rest.band); });
+      return in_file(source, [&] { return middle_of(*search.question().rest.band); });
     if (!is_material_gradation(*content))
       return read_gradation(*content, shown_name(source), c.reading.reading());
     refuse_beside_materials(idle_for_materials(c), source);
@@ -86,29 +101,29 @@ ExportedParticles solved_particles(const ExportTexts &c, const OutputFlags &outp
                                    ": give it, 1000 where they are densities in g/cm^3");
     return of;
   };
-  const Gradation g = read();
-  const Question question = asked.of(g);
-  SolveOptions solve_options = c.solve.options();
   const auto searched = [&] {
+    const Gradation g = read();
     SearchProgress progress(output.quiet);
-    solve_options.progress = progress.call();
-    Match found = in_file(source, [&] { return solve(g, question, solve_options); });
-    if (!found.complete && Interrupt::was_pressed())
+    Found found = in_file(source, [&] { return search.ask(g, progress.call()); });
+    if (!found.match.complete && Interrupt::was_pressed())
       output.tell_notes({"the search was interrupted"});
     return found;
   };
-  const Match m = searched();
-  output.tell_notes(m.gradation.notes()); // solve's own are of doubles that may leave their class
-  if (m.status != Status::optimal)
-    tell(printable(m.gradation.id()) + ": " + headline(m) + "\n");
-  const Outcome outcome = outcome_of(m, solve_options.limits);
+  Found found = searched();
+  found.match.notes.clear(); // they are of doubles that may leave their class
+  const Match &m = found.match;
+  output.tell_notes(m.gradation.notes());
+  tell_answer(m, output);
   if (!m.has_answer())
-    return {std::nullopt, outcome, m.gradation.unit(), ""};
+    return {std::nullopt, found.outcome, m.gradation.unit(), ""};
   const std::uint64_t seed = export_seed(c);
-  return {
+  ExportedParticles particles{
       in_file(source,
               [&] { return c.spread ? spread_particle_set(m, seed, options) : particle_set(m, options); }),
-      outcome, m.gradation.unit(), ""};
+      found.outcome, m.gradation.unit(), ""};
+  if (m.budget && m.budget->by == BudgetBy::size_factor)
+    particles.size_factor = to_decimal(*m.budget->enough);
+  return particles;
 }
 
 } // namespace

@@ -32,6 +32,10 @@ void OutputFlags::add_quiet(CLI::App &command, const std::string &help) {
   command.add_flag("--quiet", quiet, help);
 }
 
+void OutputFlags::add_verbose(CLI::App &command, const std::string &help) {
+  command.add_flag("--verbose", verbose, help);
+}
+
 std::string OutputFlags::format() const {
   if (asked_format)
     return *asked_format;

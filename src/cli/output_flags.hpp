@@ -15,7 +15,7 @@ struct OutputFlags {
   std::optional<std::string> asked_format;
   bool out_has_report = true; ///< the ending of -o tells the format where --format does not
   std::optional<std::string> out;
-  bool quiet = false;
+  bool quiet = false, verbose = false;
 
   void add_format(CLI::App &command,
                   const std::string &help = "text, json or csv; else as OUT ends, else text");
@@ -26,6 +26,7 @@ struct OutputFlags {
   /// holds.
   void check_ending_of_out(CLI::App &command, const std::vector<std::string> &endings);
   void add_quiet(CLI::App &command, const std::string &help);
+  void add_verbose(CLI::App &command, const std::string &help);
 
   /// text, json or csv.
   std::string format() const;

@@ -1,6 +1,8 @@
 #include "ask/plot.hpp"
 
+#include "answer/answer.hpp"
 #include "answer/answer_sample.hpp"
+#include "ask/asked_search.hpp"
 #include "ask/option_values.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
@@ -8,6 +10,7 @@
 #include "cli/output_flags.hpp"
 #include "cli/picture.hpp"
 #include "cli/reading_flags.hpp"
+#include "cli/search_progress.hpp"
 #include "cli/soil_flags.hpp"
 #include "cli/solve_flags.hpp"
 #include "files/byte_source.hpp"
@@ -17,7 +20,6 @@
 #include "files/sample_file.hpp"
 #include "files/sample_names.hpp"
 #include "files/standard_streams.hpp"
-#include "match/smallest_match.hpp"
 #include "packing/packing_reader.hpp"
 #include "plot/curves_figure.hpp"
 #include "plot/gradation_figure.hpp"
@@ -56,8 +58,8 @@ constexpr std::size_t max_answer_bytes = std::size_t{1} << 30;
 /// Refuses what a triangle of textures has no use for.
 void check_texture(const PlotCommand &c) {
   const PlotTexts &a = c.asked;
-  if (a.sample || a.match || a.what || a.band || a.bands || a.coarse_left || a.sieve_names || a.colour ||
-      a.size_unit || a.soil.is_given())
+  if (a.sample || a.wants_match() || a.what || a.band || a.bands || a.coarse_left || a.sieve_names ||
+      a.colour || a.size_unit || a.soil.is_given())
     throw InputError(option("texture") +
                      " shows gradations as points of a triangle: of the options for what is drawn " +
                      option("beside") + ", " + option("width") + ", " + option("language") + ", " +
@@ -67,8 +69,8 @@ void check_texture(const PlotCommand &c) {
 /// Refuses what curves of several gradations have no use for.
 void check_beside(const PlotCommand &c) {
   const PlotTexts &a = c.asked;
-  if (a.sample || a.match || a.what || a.bands || a.coarse_left || a.sieve_names || a.colour || a.size_unit ||
-      a.soil.is_given())
+  if (a.sample || a.wants_match() || a.what || a.bands || a.coarse_left || a.sieve_names || a.colour ||
+      a.size_unit || a.soil.is_given())
     throw InputError(option("beside") + " shows curves alone: of the options for what is drawn " +
                      option("band") + ", " + option("width") + ", " + option("language") + ", " +
                      option("caption") + " and " + option("bare") + " are for it: leave out the others");
@@ -89,15 +91,6 @@ void check(const PlotCommand &c) {
   check_paths(inputs, {c.picture.out.value_or("-")});
 }
 
-/// The smallest match of the gradation as it is, or what was found of it.
-Match solved(const Gradation &g, bool quiet) {
-  const ProgressLine progress([] { return std::string("solving"); }, quiet);
-  SolveOptions options;
-  options.limits.max_steps = most_steps_beside;
-  options.limits.keep_proof = false;
-  return solve(g, {}, options);
-}
-
 /// The particles of a sample beside g; also their places where a section is wanted.
 std::optional<SphereSample> add_sample(GradationFigure &what, const Gradation &g, const PlotCommand &c,
                                        std::vector<std::string> &notes) {
@@ -116,12 +109,46 @@ std::optional<SphereSample> add_sample(GradationFigure &what, const Gradation &g
   return in_file(*c.asked.sample, [&] { return sample.places(); });
 }
 
-int limited(const PlotCommand &c, const Match &m) {
-  tell(fmt::format("{}: nothing was drawn: the smallest match was not found within {} steps, N in [{}, {}]; "
-                   "solve it with mdm solve --format json and give that ANSWER\n",
-                   printable(shown_name(c.file)), most_steps_beside, to_string(m.lower_bound),
-                   to_string(*m.particles())));
-  return Exit::limited;
+/// The match that was asked for, or what is known of it.
+Found solved(const Gradation &g, const PlotCommand &c, const std::optional<Envelope> &limits) {
+  const AskedSearch search(
+      c.asked.match_texts(), c.asked.budget, [&limits](const std::string &) { return limits.value(); },
+      false);
+  SearchProgress progress(c.output.quiet);
+  Found found = in_file(c.file, [&] { return search.ask(g, progress.call()); });
+  SearchProgress::note_interrupt(found.match);
+  if (c.output.verbose && !c.output.quiet)
+    tell(answer_text(found.match, nullptr, nullptr, true));
+  return found;
+}
+
+/// What the picture does not show of the match: an exact one of the gradation alone needs no words.
+/// \param shown  they stand below the picture already
+void add_notes(std::vector<std::string> &notes, const Match &m, const std::vector<std::string> &shown) {
+  if (!in_words(m.question, m.gradation.unit()).empty())
+    notes.push_back(headline(m));
+  if (m.budget)
+    notes.push_back(budget_text(*m.budget));
+  std::copy_if(m.notes.begin(), m.notes.end(), std::back_inserter(notes), [&shown](const std::string &note) {
+    return std::find(shown.begin(), shown.end(), note) == shown.end();
+  });
+}
+
+/// Says why nothing is drawn.
+int not_drawn(const PlotCommand &c, const Found &found) {
+  const Match &m = found.match;
+  const std::string least = to_string(m.lower_bound);
+  const std::string why =
+      found.outcome == Outcome::negative ? headline(m)
+      : m.particles() ? fmt::format("the smallest match was not found within the limit, N in [{}, {}]; ",
+                                    least, to_string(*m.particles()))
+                      : fmt::format("no match was found within the limit, at least {} particles; ", least);
+  const std::string remedy =
+      found.outcome == Outcome::negative
+          ? ""
+          : "give another limit, or an ANSWER of mdm solve --format json in the place of " + option("match");
+  tell(printable(shown_name(c.file)) + ": nothing was drawn: " + why + remedy + "\n");
+  return exit_code(found.outcome);
 }
 
 int run_packing(const PlotCommand &c, const Packing &packing) {
@@ -262,11 +289,12 @@ int run(const PlotCommand &command) {
     if (!are_of(what.particles, g))
       notes.push_back(printable(*c.asked.sample) + ": its classes are not all of " + printable(c.file) +
                       ": it was solved with a cut, a pan size or a size factor, or for another gradation");
-  } else if (c.asked.match) {
-    const Match m = solved(g, c.output.quiet);
-    if (!m.complete)
-      return limited(c, m);
-    what.particles = drawn(m);
+  } else if (c.asked.wants_match()) {
+    const Found found = solved(g, c, what.envelope);
+    if (found.outcome != Outcome::done)
+      return not_drawn(c, found);
+    what.particles = drawn(found.match);
+    add_notes(notes, found.match, g.notes());
   }
   const std::string panels = c.asked.what.value_or(what.particles.empty() ? "curve" : "both");
   if (panels != "curve" && what.particles.empty())
@@ -311,19 +339,24 @@ Run add_plot(CLI::App &app) {
       ->allow_extra_args(false);
   add_options(command, PlotTexts::options, c->asked);
   c->soil.add_to(command);
+  add_match_options(command, c->asked.solve, c->asked.budget);
+  command.get_option("--digits")
+      ->description("taken as solve takes it, without effect here: a picture has no digits of sizes");
   c->picture.add_to(command);
+  c->output.add_verbose(command, "on standard error also the answer of a match, with its scale");
   c->output.add_quiet(command, "no progress and no notes on standard error");
   c->reading.add_to(command);
-  command.footer(
-      footer(paragraph("Exit code 3: --match was not solved within some seconds; nothing is drawn."),
-             {"mdm plot sand.csv --match -o sand.svg",
-              "mdm plot sand.csv settled.dump --what section -o settled.png",
-              "mdm plot sand.csv --band limits.csv -o sand.pdf",
-              "mdm plot bh1.csv --beside bh2.csv --beside bh3.csv -o bh.svg",
-              "mdm plot station1.csv --beside station2.csv --texture folk -o stations.svg",
-              "mdm plot start.packing --colour contacts -o start.png",
-              "mdm plot sand-triaxial.csv -o sand-triaxial.svg",
-              "mdm plot tradeoff.json --language de --width 500 -o tradeoff.svg"}));
+  command.footer(footer(
+      paragraph("Exit code 1: there is no match within what was asked; 3: none was found within the limit, "
+                "without one some seconds for an exact match. Nothing is drawn."),
+      {"mdm plot sand.csv --match -o sand.svg", "mdm plot sand.csv --tolerance retained:1% -o sand.svg",
+       "mdm plot sand.csv settled.dump --what section -o settled.png",
+       "mdm plot sand.csv --band limits.csv -o sand.pdf",
+       "mdm plot bh1.csv --beside bh2.csv --beside bh3.csv -o bh.svg",
+       "mdm plot station1.csv --beside station2.csv --texture folk -o stations.svg",
+       "mdm plot start.packing --colour contacts -o start.png",
+       "mdm plot sand-triaxial.csv -o sand-triaxial.svg",
+       "mdm plot tradeoff.json --language de --width 500 -o tradeoff.svg"}));
   return [c] { return run(*c); };
 }
 

@@ -16,6 +16,11 @@ ProgressCall SearchProgress::call() {
   };
 }
 
+void SearchProgress::note_interrupt(Match &found) {
+  if (!found.complete && Interrupt::was_pressed())
+    found.notes.push_back("the search was interrupted");
+}
+
 std::string SearchProgress::text() {
   const std::lock_guard lock(mutex_);
   if (!known_)

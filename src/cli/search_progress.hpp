@@ -19,6 +19,8 @@ public:
 
   /// For SolveOptions::progress; this must outlive the search.
   ProgressCall call();
+  /// Says in the notes of the match that the search was interrupted, if it was.
+  static void note_interrupt(Match &found);
 
 private:
   std::string text();

@@ -1,7 +1,7 @@
 #include "answer/answer.hpp"
 #include "ask/option_values.hpp"
-#include "cli/budget_flags.hpp"
 #include "cli/commands.hpp"
+#include "cli/finer_proof.hpp"
 #include "cli/help.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/reading_flags.hpp"
@@ -38,19 +38,13 @@ namespace {
 struct SolveCommand {
   std::optional<std::string> file;
   SolveFlags flags;
-  BudgetFlags budget;
   std::optional<std::string> proof, vipr, coq, seed;
   ReadingFlags reading;
   OutputFlags output;
-  bool spectrum = false, spread = false, verbose = false;
+  bool spectrum = false, spread = false;
 
   bool asks_proof() const { return proof || vipr || coq; }
 };
-
-/// The proof that the next finer tolerance, or the next smaller factor, needs more particles than the budget.
-std::string finer_proof(const SolveCommand &c) {
-  return *c.proof + ".finer";
-}
 
 /// A side result of solve: a file that is to be written with the rest or not at all.
 struct SideFile {
@@ -122,7 +116,7 @@ void report(const SolveCommand &c, const Match &m, const Spectrum *spectrum, con
     spread_json(m, spectrum, *spread, sink);
     out.write("\n");
   } else {
-    out.write(c.output.report([&] { return answer_text(m, spectrum, spread, c.verbose) + hint(c, m); },
+    out.write(c.output.report([&] { return answer_text(m, spectrum, spread, c.output.verbose) + hint(c, m); },
                               [&] { return answer_json(m, spectrum); }, [&] { return answer_csv(m); }));
   }
 }
@@ -165,8 +159,7 @@ void check_files(const SolveCommand &c) {
   if (c.spectrum && c.output.is_csv())
     throw InputError(option("spectrum") + ": CSV has no place for it: use " + option("format") +
                      " text or json");
-  c.budget.check();
-  if (c.spectrum && c.budget.is_asked())
+  if (c.spectrum && c.flags.budget.particles)
     throw InputError(option("spectrum") + ": it is of exact matches: leave it out, or " +
                      option("particles"));
   if (c.seed && !c.spread)
@@ -182,8 +175,8 @@ void check_files(const SolveCommand &c) {
   for (const std::optional<std::string> &path : {c.proof, c.vipr, c.coq, c.output.out})
     if (path)
       paths.push_back(*path);
-  if (c.proof && c.budget.is_asked())
-    paths.push_back(finer_proof(c));
+  if (c.proof && c.flags.budget.particles)
+    paths.push_back(finer_proof(*c.proof));
   check_distinct(paths);
   std::for_each(paths.begin() + 1, paths.end(), refuse_protected);
 }
@@ -193,21 +186,17 @@ std::uint64_t seed_of(const SolveCommand &c) {
 }
 
 /// The match, or what is known of it when Ctrl-C is pressed.
-BudgetMatch searched(const SolveCommand &c, const Gradation &g, const Question &question,
-                     SolveOptions options) {
+Found searched(const SolveCommand &c, const AskedSearch &search, const Gradation &g,
+               const Question &question) {
   SearchProgress progress(c.output.quiet);
-  options.progress = progress.call();
-  BudgetMatch found = c.budget.is_asked()
-                          ? solve_within_budget(g, question, c.budget.budget(c.flags), options)
-                          : BudgetMatch{solve(g, question, options), std::nullopt};
-  if (!found.match.complete && Interrupt::was_pressed())
-    found.match.notes.push_back("the search was interrupted");
+  Found found = search.ask(g, question, progress.call());
+  SearchProgress::note_interrupt(found.match);
   return found;
 }
 
 /// The proofs that were asked for. Notes say which are not written, and where the gradation is written for
 /// mdm-check.
-std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, BudgetMatch &found) {
+std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, Found &found) {
   Match &m = found.match;
   const std::string &source = c.flags.source(c.file);
   std::vector<SideFile> files;
@@ -227,15 +216,9 @@ std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, Bud
   if (!files.empty())
     if (std::optional<SideFile> csv = readable_gradation(c, asked, m.notes))
       files.push_back(std::move(*csv));
-  if (c.proof && found.finer && has_certificate(*found.finer))
-    add(finer_proof(c), true, [&] {
-      Certified finer = certified(*found.finer);
-      if (finer.bound && *finer.bound <= c.budget.budget(c.flags).particles)
-        m.notes.push_back(
-            "the proof for the next finer step would be too long: the one that is written is of " +
-            to_string(*finer.bound) + " particles");
-      return std::move(finer.text);
-    });
+  if (c.proof)
+    if (const std::optional<std::string> finer = in_file(source, [&] { return finer_certificate(found); }))
+      add(finer_proof(*c.proof), true, [&] { return *finer; });
   add(c.vipr, m.complete, [&] { return vipr(m); });
   add(c.coq, has_certificate(m), [&] { return theorem(c, asked, m, made.text); });
   if (made.bound)
@@ -245,15 +228,11 @@ std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, Bud
 
 /// An option that has no use for a gradation by number, but those of SolveFlags; empty: none.
 std::string idle_for_numbers(const SolveCommand &c) {
-  const std::pair<const char *, bool> given[] = {{"particles", c.budget.particles.has_value()},
-                                                 {"grid", c.budget.grid.has_value()},
-                                                 {"by", c.budget.by.has_value()},
-                                                 {"vipr", c.vipr.has_value()},
-                                                 {"coq", c.coq.has_value()},
-                                                 {"seed", c.seed.has_value()},
-                                                 {"spectrum", c.spectrum},
-                                                 {"spread", c.spread},
-                                                 {"verbose", c.verbose}};
+  if (const std::string budget = c.flags.budget.given(); !budget.empty())
+    return budget;
+  const std::pair<const char *, bool> given[] = {{"vipr", c.vipr.has_value()}, {"coq", c.coq.has_value()},
+                                                 {"seed", c.seed.has_value()}, {"spectrum", c.spectrum},
+                                                 {"spread", c.spread},         {"verbose", c.output.verbose}};
   for (const auto &[name, is_given] : given)
     if (is_given)
       return option(name);
@@ -264,12 +243,10 @@ std::string idle_for_numbers(const SolveCommand &c) {
 std::string idle_for_materials(const SolveCommand &c) {
   if (const std::optional<std::string> idle = c.flags.idle_for_materials())
     return *idle;
-  const std::pair<const char *, bool> given[] = {{"particles", c.budget.particles.has_value()},
-                                                 {"grid", c.budget.grid.has_value()},
-                                                 {"by", c.budget.by.has_value()},
-                                                 {"coq", c.coq.has_value()},
-                                                 {"seed", c.seed.has_value()},
-                                                 {"spread", c.spread}};
+  if (const std::string budget = c.flags.budget.given(); !budget.empty())
+    return budget;
+  const std::pair<const char *, bool> given[] = {
+      {"coq", c.coq.has_value()}, {"seed", c.seed.has_value()}, {"spread", c.spread}};
   for (const auto &[name, is_given] : given)
     if (is_given)
       return option(name);
@@ -292,26 +269,24 @@ Exit run(const SolveCommand &c) {
     band = read_file(path, max_gradation_bytes);
     return read_envelope(band, shown_name(path));
   };
-  const AskedQuestion stated = c.budget.is_asked() ? c.budget.BudgetTexts::question(c.flags, read_band)
-                                                   : c.flags.SolveTexts::question(read_band);
+  const AskedSearch search(c.flags, c.flags.budget, read_band, c.asks_proof());
   const std::uint64_t seed = seed_of(c);
-  const Target asked = target(c, stated.rest, band, std::move(content));
-  Question question = stated.of(asked.gradation);
+  const Target asked = target(c, search.question().rest, band, std::move(content));
+  Question question = search.question().of(asked.gradation);
   question.band_alone = !c.file;
   Output out(c.output.path());
 
   const std::string &source = c.flags.source(c.file);
-  const SolveOptions options = c.flags.options(c.asks_proof());
-  BudgetMatch found = in_file(source, [&] {
+  Found found = in_file(source, [&] {
     if (c.proof || c.coq)
       check_certifiable(asked_gradation(asked.gradation, question), question);
-    return searched(c, asked.gradation, question, options);
+    return searched(c, search, asked.gradation, question);
   });
   Match &m = found.match;
   const ProgressLine progress([] { return std::string("writing"); }, c.output.quiet);
   std::optional<Spectrum> reachable;
   if (c.spectrum)
-    reachable = spectrum(m, options.limits);
+    reachable = spectrum(m, found.limits);
   std::optional<Spread> particles;
   if (c.spread && m.has_answer())
     particles = spread(m, seed);
@@ -322,14 +297,16 @@ Exit run(const SolveCommand &c) {
   for (const SideFile &file : files)
     file.output->write(file.text);
   report(c, m, reachable ? &*reachable : nullptr, particles ? &*particles : nullptr, out);
-  // CSV has no place for a verdict.
+  // CSV has no place for a verdict and a budget.
   if (c.output.is_csv() && m.status != Status::optimal)
     tell(printable(m.gradation.id()) + ": " + headline(m) + "\n");
+  if (c.output.is_csv() && m.budget && !c.output.quiet)
+    tell(printable(m.gradation.id()) + ": " + budget_text(*m.budget) + "\n");
   c.output.tell_notes_beside_csv(m.notes);
   for (const SideFile &file : files)
     file.output->commit();
   out.commit();
-  return exit_code_beside(reachable, outcome_of(m, options.limits));
+  return exit_code_beside(reachable, found.outcome);
 }
 
 } // namespace
@@ -344,7 +321,6 @@ Run add_solve(CLI::App &app) {
       "- for standard input; needed "
       "unless there is a --band");
   c->flags.add_to(command);
-  c->budget.add_to(command);
   const OptionGroup group(command, "The answer");
   command
       .add_option("--proof", c->proof,
@@ -363,7 +339,7 @@ Run add_solve(CLI::App &app) {
                    "sizes for all particles, uniform by volume in their class as far as its exact mass lets "
                    "them (CSV: a row a particle)");
   command.add_option("--seed", c->seed, "of a spread's sizes (1)")->type_name("K");
-  command.add_flag("--verbose", c->verbose, "in text also the scale: its window and the one that was chosen");
+  c->output.add_verbose(command, "in text also the scale: its window and the one that was chosen");
   c->output.add_format(command);
   c->output.add_out(command, "write the answer");
   c->output.add_quiet(command, "no progress and no notes on standard error");

@@ -17,8 +17,18 @@ namespace {
 void add_question_options(CLI::App &command, SolveTexts &texts,
                           const std::vector<OptionRow<SolveTexts>> &further = {}) {
   const OptionGroup group(command, "The question");
-  for (const auto *const rows : {&SolveTexts::tolerance_options, &SolveTexts::question_options, &further})
+  for (const auto *const rows :
+       {&SolveTexts::tolerance_options, &SolveTexts::band_options, &SolveTexts::question_options, &further})
     add_options(command, *rows, texts);
+}
+
+void add_gradation_rows(CLI::App &command, const std::vector<OptionRow<GradationTexts>> &rows,
+                        GradationTexts &texts) {
+  add_options(command, rows, texts);
+  command.get_option("--law")->each([](const std::string &law) {
+    if (law.starts_with(law_by_table))
+      protect_input(law.substr(law_by_table.size()));
+  });
 }
 
 } // namespace
@@ -38,11 +48,21 @@ Envelope band_in_file(const std::string &path) {
 
 void add_gradation_options(CLI::App &command, GradationTexts &texts) {
   const OptionGroup group(command, "The gradation");
-  add_options(command, GradationTexts::options, texts);
-  command.get_option("--law")->each([](const std::string &law) {
-    if (law.starts_with(law_by_table))
-      protect_input(law.substr(law_by_table.size()));
+  add_gradation_rows(command, GradationTexts::options, texts);
+}
+
+void add_match_options(CLI::App &command, SolveTexts &texts, BudgetTexts &budget) {
+  const OptionGroup group(command, "The match");
+  add_options(command, SolveTexts::tolerance_options, texts);
+  add_options(command, BudgetTexts::options, budget);
+  std::vector<OptionRow<GradationTexts>> of_gradation = GradationTexts::options;
+  std::erase_if(of_gradation, [](const OptionRow<GradationTexts> &row) {
+    return row.name == std::string_view("pan-size");
   });
+  add_gradation_rows(command, of_gradation, texts);
+  for (const auto *const rows : {&SolveTexts::question_options, &SolveTexts::search_options,
+                                 &SolveTexts::answer_options, &SolveTexts::limit_options})
+    add_options(command, *rows, texts);
 }
 
 void add_asked_options(CLI::App &command, SolveTexts &texts) {
@@ -58,6 +78,10 @@ void SolveFlags::add_problem(CLI::App &command) {
 
 void SolveFlags::add_to(CLI::App &command) {
   add_problem(command);
+  {
+    const OptionGroup group(command, "The question");
+    add_options(command, BudgetTexts::options, budget);
+  }
   const OptionGroup group(command, "The answer");
   add_options(command, answer_options, *this);
 }
@@ -65,14 +89,6 @@ void SolveFlags::add_to(CLI::App &command) {
 void SolveFlags::add_limits(CLI::App &command) {
   const OptionGroup group(command, "Limits");
   add_options(command, limit_options, *this);
-}
-
-AskedQuestion SolveFlags::question() const {
-  return SolveTexts::question(band_in_file);
-}
-
-AskedQuestion SolveFlags::question_of_both() const {
-  return SolveTexts::question_of_both(band_in_file);
 }
 
 std::string SolveFlags::words() const {
@@ -96,6 +112,8 @@ std::string SolveFlags::words() const {
                                     digest_of(law_in_file(value->substr(law_by_table.size()))))
                        : value);
   });
+  for (const OptionRow<BudgetTexts> &row : BudgetTexts::options)
+    add(row.name, budget.*row.text());
   return text;
 }
 

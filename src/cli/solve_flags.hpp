@@ -13,6 +13,9 @@ namespace mdm::cli {
 /// Adds the options that say how a gradation is to be taken, for every command that weighs particles.
 void add_gradation_options(CLI::App &command, GradationTexts &texts);
 
+/// Adds all options of solving but --band and --pan-size, for a command that has these of its own.
+void add_match_options(CLI::App &command, SolveTexts &texts, BudgetTexts &budget);
+
 /// Adds what is asked alone, without limits.
 void add_asked_options(CLI::App &command, SolveTexts &texts);
 
@@ -22,15 +25,13 @@ std::string law_in_file(const std::string &path);
 /// The envelope in a file. \throws InputError naming it
 Envelope band_in_file(const std::string &path);
 
-/// All options of solving.
+/// All options of solving, with those of a budget of particles.
 struct SolveFlags : SolveTexts {
-  void add_to(CLI::App &command);
-  /// Without those that only change the sizes of an answer.
-  void add_problem(CLI::App &command);
+  BudgetTexts budget;
 
-  /// Those of the texts, with the band read from its file.
-  AskedQuestion question() const;
-  AskedQuestion question_of_both() const;
+  void add_to(CLI::App &command);
+  /// Without a budget, and without those that only change the sizes of an answer.
+  void add_problem(CLI::App &command);
   /// The options that were given, in one order, as a command has them; the band and the law by a table by
   /// their SHA-256.
   /// \throws InputError if the band cannot be read, or there is no libcrypto

@@ -2,9 +2,9 @@
 /// \file
 /// mdm solve of a gradation by number.
 
-#include "cli/budget_flags.hpp"
 #include "cli/commands.hpp"
 #include "cli/output_flags.hpp"
+#include "cli/solve_flags.hpp"
 
 #include <optional>
 #include <string>

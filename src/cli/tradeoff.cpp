@@ -53,7 +53,7 @@ int run(const TradeoffCommand &c) {
   TradeoffTexts texts = c.own;
   texts.solve = c.flags;
   const TradeoffOptions o = texts.tradeoff_options();
-  const AskedQuestion asked = c.flags.question_of_both();
+  const AskedQuestion asked = c.flags.question_of_both(band_in_file);
   refuse_sample(c.file);
   const Gradation g =
       read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.reading.reading());
@@ -83,6 +83,9 @@ Run add_tradeoff(CLI::App &app) {
   add_options(command, TradeoffTexts::options, c->own);
   c->flags.add_problem(command);
   const OptionGroup group(command, "The answer");
+  add_options(command, SolveTexts::answer_options, static_cast<SolveTexts &>(c->flags));
+  for (const char *const name : {"--digits", "--scale"})
+    command.get_option(name)->description("taken as solve takes it, without effect here: no sizes are shown");
   c->plot.add_to(command, "draw both");
   c->output.add_format(command);
   c->output.add_out(command, "write the tables");

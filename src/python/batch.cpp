@@ -1,4 +1,4 @@
-#include "ask/batch_question.hpp"
+#include "ask/asked_search.hpp"
 #include "files/in_parallel.hpp"
 #include "python/listener.hpp"
 #include "python/module.hpp"
@@ -31,22 +31,23 @@ struct BatchGradation {
   }
 };
 
-/// Its answer, or what is wrong. The match itself where it cannot be found again, or its proof is to be kept.
+/// Its answer, or what is wrong. The match itself, and the finer one of a budget, where it cannot be found
+/// again, or its proof is to be kept.
 struct BatchResult {
   std::string json, error;
   Outcome outcome = Outcome::done;
-  std::shared_ptr<Solved> match;
+  std::shared_ptr<Solved> match, finer;
 };
 
 /// What a batch asks of each gradation.
 struct AskedBatch {
   AskedBatch(const Words &words, std::string file_name, bool keep)
       : file(std::move(file_name)), keep_proof(keep),
-        question(solve_texts(words), band_of(words), keeps_proof(words, keep)) {}
+        search(solve_texts(words), budget_texts(words), band_of(words), keeps_proof(words, keep)) {}
 
   std::string file; ///< of the lines
   bool keep_proof;
-  BatchQuestion question;
+  AskedSearch search;
 };
 
 BatchResult result_of(const BatchGradation &item, const AskedBatch &batch, Listener &listener) {
@@ -55,13 +56,15 @@ BatchResult result_of(const BatchGradation &item, const AskedBatch &batch, Liste
     return result;
   try {
     Gradation g = item.read(batch.file);
-    BatchMatch found =
-        batch.question.ask(std::move(g), [&listener](const Progress &) { return !listener.is_stopped(); });
+    Found found =
+        batch.search.ask(std::move(g), [&listener](const Progress &) { return !listener.is_stopped(); });
     auto match = std::make_shared<Solved>(std::move(found.match), found.limits);
     result.json = match->json();
     result.outcome = match->outcome();
     if (batch.keep_proof || match->outcome() == Outcome::limited)
       result.match = std::move(match);
+    if (batch.keep_proof && found.finer)
+      result.finer = std::make_shared<Solved>(std::move(*found.finer), found.limits);
   } catch (const InputError &e) {
     result.error = e.what();
     const std::string where = batch.file + ":" + std::to_string(item.number);
@@ -105,7 +108,8 @@ public:
   BatchRun &operator=(const BatchRun &) = delete;
 
   /// Waits for the answers to the gradations before, and begins with these, if there are any.
-  /// \return (answer in JSON, outcome, match or None, error) of each of those before, in order
+  /// \return (answer in JSON, outcome, match or None, finer match or None, error) of each of those before, in
+  /// order
   /// \throws what ended the search
   py::list next(py::list gradations) {
     std::vector<BatchGradation> items = items_of(gradations);
@@ -139,7 +143,7 @@ private:
     py::list all(results.size());
     for (std::size_t i = 0; i < results.size(); ++i)
       all[i] = py::make_tuple(results[i].json, name(results[i].outcome), std::move(results[i].match),
-                              results[i].error);
+                              std::move(results[i].finer), results[i].error);
     return all;
   }
 

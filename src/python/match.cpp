@@ -1,5 +1,5 @@
 #include "answer/answer.hpp"
-#include "ask/outcome.hpp"
+#include "ask/asked_search.hpp"
 #include "proof/vipr.hpp"
 #include "python/listener.hpp"
 #include "python/module.hpp"
@@ -28,57 +28,31 @@ void note_interrupt(Match &m, const Listener &listener) {
     m.notes.push_back("the search was interrupted");
 }
 
-py::tuple solve_exact_or_tolerant(const std::optional<Gradation> &g, const Words &words, bool keep_proof,
-                                  const py::object &progress) {
-  Listener listener(progress);
-  const auto search = [&] {
-    const py::gil_scoped_release unlocked;
-    const AskedQuestion stated = solve_texts(words).question(band_of(words));
-    if (!g && !stated.rest.band)
-      throw InputError("a gradation is missing: give one, or a band alone");
-    const Gradation target = g ? *g : middle_of(*stated.rest.band);
-    Question question = stated.of(target);
-    question.band_alone = !g;
-    SolveOptions options = options_of(words, keep_proof);
-    options.progress = listener.call();
-    Match m = mdm::solve(target, question, options);
-    note_interrupt(m, listener);
-    return std::make_shared<Solved>(std::move(m), options.limits);
-  };
-  std::shared_ptr<Solved> found = search();
-  return answer(std::move(found), nullptr, listener.error());
-}
-
-py::tuple solve_budget(const Gradation &g, const Words &words, bool keep_proof, const py::object &progress) {
-  Listener listener(progress);
-  std::shared_ptr<Solved> found, finer;
-  {
-    const py::gil_scoped_release unlocked;
-    const SolveTexts others = solve_texts(words);
-    const BudgetTexts asked = budget_texts(words);
-    const Budget budget = asked.budget(others);
-    const Question question = asked.question(others, band_of(words)).of(g);
-    SolveOptions options = options_of(words, keep_proof);
-    options.progress = listener.call();
-    BudgetMatch both = solve_within_budget(g, question, budget, options);
-    note_interrupt(both.match, listener);
-    found = std::make_shared<Solved>(std::move(both.match), options.limits);
-    if (both.finer)
-      finer = std::make_shared<Solved>(std::move(*both.finer), options.limits);
-  }
-  return answer(std::move(found), std::move(finer), listener.error());
-}
-
 py::tuple solve_words(const std::optional<Gradation> &g, const std::map<std::string, std::string> &values,
                       const std::vector<std::string> &tolerances, bool keep_proof,
                       const py::object &progress) {
   const Words words{values, tolerances};
-  budget_texts(words).check();
-  if (!words.has("particles"))
-    return solve_exact_or_tolerant(g, words, keep_proof, progress);
-  if (!g)
-    throw InputError("particles: a budget needs a gradation: give one");
-  return solve_budget(*g, words, keep_proof, progress);
+  Listener listener(progress);
+  std::shared_ptr<Solved> found, finer;
+  {
+    const py::gil_scoped_release unlocked;
+    const BudgetTexts budget = budget_texts(words);
+    if (!g && budget.particles)
+      throw InputError("particles: a budget needs a gradation: give one");
+    const AskedSearch search(solve_texts(words), budget, band_of(words), keeps_proof(words, keep_proof));
+    const std::optional<Envelope> &band = search.question().rest.band;
+    if (!g && !band)
+      throw InputError("a gradation is missing: give one, or a band alone");
+    const Gradation target = g ? *g : middle_of(*band);
+    Question question = search.question().of(target);
+    question.band_alone = !g;
+    Found both = search.ask(target, question, listener.call());
+    note_interrupt(both.match, listener);
+    found = std::make_shared<Solved>(std::move(both.match), both.limits);
+    if (both.finer)
+      finer = std::make_shared<Solved>(std::move(*both.finer), both.limits);
+  }
+  return answer(std::move(found), std::move(finer), listener.error());
 }
 
 /// Intervals of numbers of particles, from where on nothing is missing or known, whether that is all, and the

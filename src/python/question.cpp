@@ -12,6 +12,7 @@ OptionText Words::find(const std::string &keyword) const {
 SolveTexts solve_texts(const Words &words) {
   SolveTexts texts;
   take_words(words, SolveTexts::tolerance_options, texts);
+  take_words(words, SolveTexts::band_options, texts);
   for_each_option(texts, [&words](const char *name, OptionText &text) { text = words.find(option(name)); });
   return texts;
 }

@@ -43,7 +43,7 @@ void take_words(const Words &words, const std::vector<Row> &rows, Texts &texts) 
 
 /// All options of solving.
 SolveTexts solve_texts(const Words &words);
-/// A budget of particles. \pre words.has("particles")
+/// A budget of particles, if there is one.
 BudgetTexts budget_texts(const Words &words);
 /// How the band is read; `words` must outlive it.
 ReadBand band_of(const Words &words);

@@ -9,6 +9,10 @@ using namespace cli_test;
 namespace {
 
 const std::string athabasca = example("athabasca-sand");
+/// Two gradations; 3 particles suffice for an exact match of the second alone.
+const std::string lines = R"({"id":"a","sizes":["1","2","4"],"masses":["70","30","0"]}
+{"id":"b","sizes":["1","2"],"masses":["1","0"]}
+)";
 
 } // namespace
 
@@ -86,6 +90,87 @@ TEST_CASE("a budget chooses the least size factor for a specimen, and two proofs
   const Json none = solve_json(with({"--particles", "1484", "--by", "size-factor"}), 1);
   CHECK(none.at("budget").at("size_factor").is_null());
   CHECK(solve_json(with({"--particles", "1485", "--by", "size-factor"})).at("particles") == "1485");
+}
+
+TEST_CASE("each gradation of a batch has the answer to the budget that it has alone", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string suite = folder.write("suite.jsonl", lines);
+  for (const Arguments &budget : {Arguments{"--particles", "3"},
+                                  Arguments{"--particles", "3", "--tolerance", "passing", "--grid", "0.5"}}) {
+    Arguments arguments = {"batch", suite};
+    arguments.insert(arguments.end(), budget.begin(), budget.end());
+    const std::vector<std::string> answers = lines_of(mdm(arguments).out);
+    REQUIRE(answers.size() == 2);
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      Arguments alone = {folder.write("one.json", lines_of(lines)[i])};
+      alone.insert(alone.end(), budget.begin(), budget.end());
+      CHECK(Json::parse(answers[i]) == solve_json(alone));
+    }
+  }
+}
+
+TEST_CASE("a folder of proofs has both of a budget, a stream says that it has one", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string suite = folder.write("suite.jsonl", lines), proofs = folder / "proofs";
+  REQUIRE(mdm({"batch", suite, "--particles", "3", "--proofs", proofs, "-o", folder / "a.jsonl"}).exit_code ==
+          0);
+  const std::string first = folder.write("first.json", lines_of(lines)[0]);
+  const Outcome fits = mdm_check(first, proofs + "/000001-a.proof");
+  CHECK(contains(fits.out, "accepted: N = 3 is"));
+  const Outcome more = mdm_check(first, proofs + "/000001-a.proof.finer");
+  CHECK(contains(more.out, "accepted: N = 4 is"));
+  CHECK_FALSE(std::filesystem::exists(proofs + "/000002-b.proof.finer")); // it matches exactly
+  CHECK(mdm_check({"--suite", suite, proofs}).exit_code == 0);
+
+  const std::string stream = folder / "all.proofs";
+  const Outcome streamed = mdm({"batch", suite, "--particles", "3", "--proofs", stream});
+  CHECK(contains(lines_of(streamed.out)[0], "that of the next finer step"));
+  CHECK_FALSE(contains(lines_of(streamed.out)[1], "that of the next finer step"));
+  CHECK(mdm_check({"--suite", suite, stream}).exit_code == 0);
+}
+
+TEST_CASE("shards of different budgets are not one run", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string suite = folder.write("suite.jsonl", lines);
+  for (const char *const shard : {"1", "2"})
+    REQUIRE(mdm({"batch", suite, "--shard", std::string(shard) + "/2", "--particles", shard, "-o",
+                 folder / (std::string(shard) + ".jsonl")})
+                .exit_code == 0);
+  check_refused(mdm({"merge", folder / "1.jsonl", folder / "2.jsonl", "-o", folder / "all.jsonl"}),
+                "--particles 2");
+}
+
+TEST_CASE("where a table has no place for a budget it is on standard error", "[cli]") {
+  const std::string told = "athabasca-sand: 500 particles: the tolerance 2.823% suffices, 2.822% does not\n";
+  for (const char *const command : {"solve", "batch"}) {
+    CAPTURE(command);
+    CHECK(mdm({command, athabasca, "--particles", "500", "--format", "csv"}).err == told);
+    CHECK(mdm({command, athabasca, "--particles", "500", "--format", "csv", "--quiet"}).err.empty());
+  }
+  const TemporaryFolder folder;
+  const Outcome exported =
+      mdm({"export", athabasca, "--to", "diameters", "--particles", "500", "-o", folder / "d.txt"});
+  CHECK(contains(exported.err, told));
+}
+
+TEST_CASE("particles of a budget are exported, and their check names what it chose", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string data = folder / "sand.data";
+  const Arguments asked = {"export", athabasca, "--to", "lammps", "--particles", "20000", "-o", data};
+  const auto checked = [&](Arguments more, const std::string &chosen) {
+    more.insert(more.begin(), asked.begin(), asked.end());
+    const std::string err = mdm(more).err;
+    const std::string before = "check it by: mdm ";
+    std::istringstream words(err.substr(err.find(before) + before.size()));
+    Arguments check;
+    for (std::string word; words >> word;)
+      check.push_back(word);
+    REQUIRE(contains(err, chosen));
+    CHECK(mdm(check).exit_code == 0);
+  };
+  checked({"--specimen", "cylinder:5x10", "--void-ratio", "0.7", "--by", "size-factor"},
+          "--size-factor 1.207 ");
+  checked({"--min-per-class", "40"}, "--tolerance 2.8189884");
 }
 
 TEST_CASE("options that do not go with a budget are refused", "[cli]") {

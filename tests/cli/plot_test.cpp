@@ -1,6 +1,6 @@
 // mdm plot: the command; what stands where in a picture is in tests/plot.
 
-#include "run.hpp"
+#include "answer.hpp"
 
 namespace plot_test {
 
@@ -94,6 +94,49 @@ TEST_CASE("an answer is drawn as --match draws it", "[cli]") {
   const Outcome other = mdm({"plot", sand, folder / "other.json", "-o", folder / "c.svg"});
   CHECK(other.exit_code == 0);
   CHECK(contains(other.err, "its classes are not all of"));
+}
+
+TEST_CASE("options of solving say which match is drawn", "[cli]") {
+  const TemporaryFolder folder;
+  const auto drawn_by = [&folder](Arguments options) {
+    options.insert(options.begin(), sand);
+    return drawn(folder, "picture.svg", options);
+  };
+  const std::string tolerant = drawn_by({"--tolerance", "retained:1%"});
+  CHECK(contains(tolerant, "N = 1021"));
+  CHECK(contains(tolerant, "1021 particles: the smallest set that matches (within retained:1%)"));
+  CHECK(drawn_by({"--tolerance", "retained:1%", "--match"}) == tolerant);
+  CHECK(contains(drawn_by({"--min-per-class", "5"}), "at least 5 particles in each class"));
+  const std::string budget = drawn_by({"--particles", "500", "--tolerance", "passing"});
+  CHECK(contains(budget, "the tolerance 3.423% suffices, 3.422% does not"));
+  CHECK(contains(drawn_by({"--max-steps", "100000"}), "N = 1485"));
+}
+
+TEST_CASE("a match that is drawn with a band is in the band", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string coarse = folder.write("coarse.csv", "size_mm,mass\n1,50\n2,50\n4,0\n");
+  const std::string band = folder.write(
+      "band.csv", "size_mm,passing_min_percent,passing_max_percent\n1,0,0\n2,20,60\n4,100,100\n");
+  const std::string picture = drawn(folder, "picture.svg", {coarse, "--match", "--band", band});
+  const Json answer = solve_json({coarse, "--band", band});
+  CHECK(answer.at("particles") < solve_json({coarse}).at("particles"));
+  CHECK(contains(picture, "N = " + answer.at("particles").get<std::string>()));
+  CHECK(contains(picture, "within the band"));
+}
+
+TEST_CASE("a match that there is none of, or that a limit ends, is not drawn", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string picture = folder / "picture.svg";
+  const Outcome none = mdm({"plot", sand, "--at-most", "100", "-o", picture});
+  CHECK(none.exit_code == 1);
+  CHECK(contains(none.err, "nothing was drawn: no match within the limit on N"));
+  const Outcome limited =
+      mdm({"plot", sand, "--tolerance", "total:0.1%", "--node-limit", "1", "-o", picture});
+  CHECK(limited.exit_code == 3);
+  CHECK(
+      contains(limited.err, "nothing was drawn: the smallest match was not found within the limit, N in ["));
+  CHECK_FALSE(std::filesystem::exists(picture));
+  check_refused(mdm({"plot", sand, sand, "--at-most", "9", "-o", picture}), "SAMPLE and --at-most");
 }
 
 TEST_CASE("names in a figure are shown as they are and never executed", "[cli]") {

@@ -41,6 +41,22 @@ void check_refused_option(const Arguments &options, const std::string &part_of_m
 
 } // namespace
 
+TEST_CASE("all commands that solve take the options of solving", "[cli]") {
+  const char *const options[] = {
+      "--tolerance",  "--band",        "--min-per-class", "--at-least", "--at-most",   "--particles",
+      "--grid",       "--specimen",    "--void-ratio",    "--law",      "--cut-below", "--solids-volume",
+      "--pan-size",   "--size-factor", "--digits",        "--scale",    "--max-steps", "--node-limit",
+      "--time-limit", "--gap",         "--columns",       "--kind",     "--unit",      "--skip",
+      "--sheet",      "--round"};
+  for (const char *const command : {"solve", "batch", "export", "tradeoff", "plot"}) {
+    const std::string help = mdm({command, "--help"}).out;
+    for (const char *const option : options) {
+      CAPTURE(command, option);
+      CHECK(contains(help, "\n  " + std::string(option) + " "));
+    }
+  }
+}
+
 TEST_CASE("every class with mass holds --min-per-class particles", "[cli]") {
   const Json answer = proved({"--min-per-class", "10"});
   check_match(answer);

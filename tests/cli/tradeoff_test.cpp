@@ -195,7 +195,8 @@ TEST_CASE("the trade-off refuses what makes no sense, and leaves no file", "[cli
   refused({"--time-limit", "-1"}, "--time-limit");
   refused({"--law", "power:5/2"}, "use a law with a whole exponent");
   refused({"--specimen", "cylinder:1x2"}, "belong together");
-  refused({"--digits", "3"}, "--digits");
+  refused({"--digits", "none"}, "--digits");
+  refused({"--scale", "lower"}, "--scale");
   refused({"--cut-below", "0.2"}, "athabasca-sand.csv: there is no sieve of");
 }
 

@@ -17,7 +17,8 @@ def some(tmp_path_factory):
     return file
 
 
-@pytest.mark.parametrize("question", [{}, {"at_least": 1000}, {"tolerance": "retained:2%", "gap": "0.2"}], ids=str)
+@pytest.mark.parametrize("question", [{}, {"at_least": 1000}, {"tolerance": "retained:2%", "gap": "0.2"},
+                                      {"particles": 40, "tolerance": "passing", "grid": "0.5"}], ids=str)
 @pytest.mark.parametrize("threads", [1, 2])
 def test_answers_are_those_of_the_command_line(some, question, threads):
     flags = [word for name, value in question.items() for word in ("--" + name.replace("_", "-"), str(value))]
@@ -44,6 +45,15 @@ def test_proofs_are_kept_where_they_are_asked_for():
     assert f" between {bounds.lower_bound} and " in bounds.check().proved
     with pytest.raises(mdm.InputError, match="not kept"):
         mdm.solve(sand(), max_steps=10**9).certificate()
+
+
+def test_a_budget_in_a_batch_keeps_the_finer_match_with_the_proofs():
+    kept, = mdm.batch([sand()], particles=4, proofs=True)
+    alone = mdm.budget(sand(), 4)
+    assert kept == alone and kept.budget == alone.budget and kept.finer == alone.finer
+    assert kept.finer.check() and kept.finer.particles == 5
+    unkept, = mdm.batch([sand()], particles=4)
+    assert unkept == kept and unkept.finer is None and unkept.check()
 
 
 def test_an_endless_iterator_is_taken_bit_by_bit():

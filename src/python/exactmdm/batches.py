@@ -44,7 +44,7 @@ def batch(gradations: _Gradations, *, threads: int = 1, proofs: bool = False, er
         threads: that solve at the same time.
         proofs: keep what `certificate` and `check` need; else they solve again.
         errors: "raise" an InputError, or "yield" it in its place and go on.
-        options: those of `solve` but `particles`, `grid` and `progress`; time_limit is of each gradation.
+        options: those of `solve` but `progress`; time_limit is of each gradation.
 
     Raises:
         InputError: an option or a gradation is wrong.
@@ -58,9 +58,6 @@ def batch(gradations: _Gradations, *, threads: int = 1, proofs: bool = False, er
     if not 1 <= operator.index(threads) <= 1024:
         raise InputError(f"threads: {threads} is not from 1 to 1024")
     words = words_of(options)
-    for name in ("particles", "grid"):
-        if name in words.values:
-            raise InputError(f"{name}: a batch has no budgets: call budget for each gradation")
     found = _answers(gradations, words, threads, proofs)
     return found if errors == "yield" else _raised(found)
 
@@ -83,11 +80,11 @@ def _answers(gradations: _Gradations, words: Words, threads: int, proofs: bool) 
         results = run.next([item if isinstance(item, tuple) else item._handle for item in chunk])
         # While this thread hands answers out the others solve on.
         at_once = min(2 * at_once, _MOST_AT_ONCE) if time.monotonic() - began < _SECONDS else max(at_once // 2, threads)
-        for item, (json, outcome, core, error) in zip(solving, results):
+        for item, (json, outcome, core, finer, error) in zip(solving, results):
             if error:
                 yield located(error, file) if file else InputError(error)
             else:
-                yield Match._of_batch(json, outcome, core, _read_later(item, file), words)
+                yield Match._of_batch(json, outcome, core, finer, _read_later(item, file), words)
         solving = chunk
         if not chunk:
             break

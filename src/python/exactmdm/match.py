@@ -79,7 +79,8 @@ class Match(Value):
     """
 
     _of_gradation: Union[Gradation, LaterGradation, None]
-    #: With a budget: the match at the next finer tolerance, which proves that it needs more; or None.
+    #: With a budget: the match at the next finer tolerance, which proves that it needs more; or None. Of a batch it is
+    #: kept with proofs=True.
     finer: Match | None
     _words: Words
     _handle_or_none: _core.Match | None
@@ -89,18 +90,19 @@ class Match(Value):
     _certificate: str | None
 
     @classmethod
-    def _of(cls, core: _core.Match, gradation: Gradation | None, words: Words, finer: Match | None = None, *,
-            is_finer: bool = False) -> Match:
+    def _of(cls, core: _core.Match, gradation: Union[Gradation, LaterGradation, None], words: Words,
+            finer: Match | None = None, *, is_finer: bool = False) -> Match:
         match = cls.__new__(cls)
         match._set(_handle_or_none=core, _of_gradation=gradation, _words=words, finer=finer, _json=core.json(),
                    _outcome=core.outcome(), _is_finer=is_finer, _certificate=None)
         return match
 
     @classmethod
-    def _of_batch(cls, json: str, outcome: str, core: _core.Match | None, gradation: Union[Gradation, LaterGradation],
-                  words: Words) -> Match:
+    def _of_batch(cls, json: str, outcome: str, core: _core.Match | None, finer_core: _core.Match | None,
+                  gradation: Union[Gradation, LaterGradation], words: Words) -> Match:
+        finer = None if finer_core is None else cls._of(finer_core, gradation, words, is_finer=True)
         match = cls.__new__(cls)
-        match._set(_handle_or_none=core, _of_gradation=gradation, _words=words, finer=None, _json=json,
+        match._set(_handle_or_none=core, _of_gradation=gradation, _words=words, finer=finer, _json=json,
                    _outcome=outcome, _is_finer=False, _certificate=None)
         return match
 

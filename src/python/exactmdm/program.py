@@ -320,6 +320,7 @@ def export(source: Source | None, to: str, out: Path, *,
            unjammed: bool = False, types: str | None = None, material: Union[str, "os.PathLike[str]", None] = None,
            young: Number | None = None, poisson: Number | None = None, spread: bool = False,
            tolerance: Tolerance = None, band: Union[str, "os.PathLike[str]", None] = None,
+           particles: Number | None = None, by: str | None = None, grid: Number | None = None,
            min_per_class: Number | None = None, at_least: Number | None = None, specimen: str | None = None,
            void_ratio: Number | None = None, solids_volume: Number | None = None, at_most: Number | None = None,
            law: str | None = None, size_factor: Number | None = None, cut_below: Number | None = None,
@@ -420,6 +421,11 @@ def export(source: Source | None, to: str, out: Path, *,
             at a tension of 3 pi G and their effective radius; walls and particles have none (lammps).
         cohesion_energy_density: the same by the law SJKR, in J/m^3: a contact has a tension of K times its area
             (liggghts).
+        particles: the least tolerance with which N particles suffice, of the kind that tolerance names without a value:
+            retained (as without it), passing or total.
+        by: what particles chooses: tolerance, or size-factor, the least factor with which N particles of a specimen
+            suffice (tolerance).
+        grid: the steps of that tolerance in percentage points, or of that factor from 1 on (0.001).
 
     Raises:
         InputError: an option or the source is wrong, or it cannot be written in that format.
@@ -435,7 +441,13 @@ def picture(source: Source, out: Path, *,
             colour: str | None = None, texture: str | None = None, size_unit: str | None = None,
             width: Number | None = None, language: str | None = None, caption: str | None = None, bare: bool = False,
             liquid_limit: Number | None = None, plastic_limit: Number | None = None, pan_size: Number | None = None,
-            extrapolate: bool = False, specimen_id: str | None = None, columns: str | None = None,
+            extrapolate: bool = False, tolerance: Tolerance = None, particles: Number | None = None,
+            by: str | None = None, grid: Number | None = None, min_per_class: Number | None = None,
+            at_least: Number | None = None, specimen: str | None = None, void_ratio: Number | None = None,
+            solids_volume: Number | None = None, at_most: Number | None = None, law: str | None = None,
+            size_factor: Number | None = None, cut_below: Number | None = None, max_steps: Number | None = None,
+            node_limit: Number | None = None, time_limit: Union[Number, float, None] = None, gap: Number | None = None,
+            scale: str | None = None, specimen_id: str | None = None, columns: str | None = None,
             kind: str | None = None, unit: str | None = None, skip: Number | None = None, sheet: str | None = None,
             loss: Number | None = None, round: Number | None = None,
             # End of the options.
@@ -479,6 +491,30 @@ def picture(source: Source, out: Path, *,
         bare: the diagram with its legend alone, without title, index numbers and notes: for a page that has them.
         texture: the triangle of textures with the gradation as a point in it: folk (mud, sand, gravel), shepard or usda
             (sand, silt, clay).
+        tolerance: the smallest match within a tolerance: retained:1%, passing:0.5%, total:1% (percentage points),
+            retained:file, passing:file (column tolerance_percent), laboratory, rounding; may be repeated.
+        particles: the least tolerance with which N particles suffice, of the kind that tolerance names without a value:
+            retained (as without it), passing or total.
+        by: what particles chooses: tolerance, or size-factor, the least factor with which N particles of a specimen
+            suffice (tolerance).
+        grid: the steps of that tolerance in percentage points, or of that factor from 1 on (0.001).
+        min_per_class: at least R particles in every class with mass.
+        at_least: the smallest match with at least N particles.
+        specimen: at least the solids of a specimen: cylinder:DxH or box:AxBxC; lengths as 50mm, 63um, 2m, 0.5in, or in
+            the file's unit (mm for sieve names and phi; beside inches a unit is needed).
+        void_ratio: void ratio e of the specimen.
+        solids_volume: at least this volume of solids, in the cube of the answer's unit.
+        at_most: no match if the smallest has more than N particles.
+        law: mass of a particle of size x: sphere (x^3), power:a/b or power:2.5, sum:2*x^3+0.5*x^2 with x in mm, or
+            table:FILE, CSV with size_mm and particle_mass, from (0, 0) on and linear between its rows.
+        size_factor: multiply every size of the gradation by K.
+        cut_below: leave out the classes below the sieve SIZE, as 63um or in the file's unit (before size_factor).
+        max_steps: stop after so many steps (67108864), with what is certain.
+        node_limit: stop after so many nodes of the search for a tolerance.
+        time_limit: stop after so many seconds.
+        gap: within a tolerance, stop at a match that has at most this part of its particles more than are certain, for
+            example 1e-6.
+        scale: robust (sizes far from the sieves) or upper (largest sizes).
 
     Raises:
         InputError: an option or a file is wrong, or neither `out` nor `format` says what it is to be.
