@@ -48,11 +48,11 @@ def test_proofs_are_kept_where_they_are_asked_for():
 
 
 def test_a_budget_in_a_batch_keeps_the_finer_match_with_the_proofs():
-    kept, = mdm.batch([sand()], particles=4, proofs=True)
+    kept, = mdm.batch([sand()], particles=4, tolerance="retained", proofs=True)
     alone = mdm.budget(sand(), 4)
     assert kept == alone and kept.budget == alone.budget and kept.finer == alone.finer
-    assert kept.finer.check() and kept.finer.particles == 5
-    unkept, = mdm.batch([sand()], particles=4)
+    assert kept.finer.check() and kept.finer.lower_bound == 5
+    unkept, = mdm.batch([sand()], particles=4, tolerance="retained")
     assert unkept == kept and unkept.finer is None and unkept.check()
 
 
@@ -81,7 +81,7 @@ def test_a_limit_is_of_each_gradation():
 
 @pytest.mark.parametrize("arguments, what", [
     ({"threads": 0}, "threads"), ({"threads": 5000}, "threads"), ({"errors": "skip"}, "errors"),
-    ({"particles": 5}, "particles"), ({"at_least": -1}, "at_least"), ({"tolerance": "x"}, "tolerance")], ids=str)
+    ({"particles": 0}, "particles"), ({"grid": 1}, "grid"), ({"at_least": -1}, "at_least"), ({"tolerance": "x"}, "tolerance")], ids=str)
 def test_wrong_arguments_are_refused(arguments, what):
     with pytest.raises(mdm.InputError, match=what):
         list(mdm.batch([sand()], **arguments))
