@@ -212,18 +212,17 @@ void add_text_spread(TextBuffer &out, const Match &m, const Spread &spread) {
 } // namespace
 
 std::string budget_text(const MatchBudget &budget) {
-  const std::string particles = counted(budget.particles);
   const bool is_tolerance = budget.by == BudgetBy::tolerance;
   const std::string what = is_tolerance ? "tolerance" : "size factor", sign = is_tolerance ? "%" : "";
+  const std::string particles = counted(budget.particles) + ": ";
+  if (!budget.enough && !budget.is_decided)
+    return particles + "no " + what + " is known to suffice";
   if (!budget.enough)
-    return particles + (!budget.is_decided ? ": no " + what + " is known to suffice"
-                        : is_tolerance     ? " suffice for no tolerance"
-                                           : " suffice for no size factor: without the specimen the smallest "
-                                             "set has more");
-  if (!budget.next_finer && budget.is_decided)
-    return particles + " suffice for the " + what + " " + to_decimal(*budget.enough);
-  return particles + ": the " + what + " " + to_decimal(*budget.enough) + sign + " suffices" +
-         (budget.next_finer ? ", " + to_decimal(*budget.next_finer) + sign + " does not" : "");
+    return particles + "no " + what + " suffices" +
+           (is_tolerance ? "" : ": without the specimen the smallest set has more");
+  const std::string enough =
+      particles + "the " + what + " " + to_decimal(*budget.enough) + sign + " suffices";
+  return budget.next_finer ? enough + ", " + to_decimal(*budget.next_finer) + sign + " does not" : enough;
 }
 
 std::string headline(const Match &m) {

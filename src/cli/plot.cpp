@@ -134,20 +134,19 @@ void add_notes(std::vector<std::string> &notes, const Match &m, const std::vecto
   });
 }
 
-/// Says why nothing is drawn.
-int not_drawn(const PlotCommand &c, const Found &found) {
+/// Why there is no match to draw, and what to do.
+std::string why_none(const Found &found) {
   const Match &m = found.match;
+  if (found.outcome == Outcome::negative)
+    return m.budget ? budget_text(*m.budget) : headline(m);
   const std::string least = to_string(m.lower_bound);
-  const std::string why =
-      found.outcome == Outcome::negative ? headline(m)
-      : m.particles() ? fmt::format("the smallest match was not found within the limit, N in [{}, {}]; ",
-                                    least, to_string(*m.particles()))
-                      : fmt::format("no match was found within the limit, at least {} particles; ", least);
-  const std::string remedy =
-      found.outcome == Outcome::negative
-          ? ""
-          : "give another limit, or an ANSWER of mdm solve --format json in the place of " + option("match");
-  tell(printable(shown_name(c.file)) + ": nothing was drawn: " + why + remedy + "\n");
+  return "the smallest match was not found within the limit, " +
+         (m.particles() ? "N in [" + least + ", " + to_string(*m.particles()) + "]" : "N at least " + least) +
+         "; give another limit, or an ANSWER of mdm solve --format json in the place of " + option("match");
+}
+
+int not_drawn(const PlotCommand &c, const Found &found) {
+  tell(printable(shown_name(c.file)) + ": nothing was drawn: " + why_none(found) + "\n");
   return exit_code(found.outcome);
 }
 

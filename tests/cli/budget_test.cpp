@@ -46,6 +46,10 @@ TEST_CASE("a budget is of the shares retained unless told otherwise, on a grid",
   CHECK(exact.at("budget").at("next_finer").is_null());
   const Outcome text = mdm({"solve", athabasca, "--particles", "500"});
   CHECK(text.out.find("500 particles: the tolerance 2.823% suffices, 2.822% does not") != std::string::npos);
+  const Outcome enough = mdm({"solve", athabasca, "--particles", "1485"});
+  CHECK(contains(enough.out, "1485 particles: the tolerance 0% suffices\n"));
+  const Outcome none = mdm({"solve", athabasca, "--particles", "1", "--min-per-class", "2"});
+  CHECK(contains(none.out, "1 particle: no tolerance suffices\n"));
 }
 
 TEST_CASE("a budget that suffices for no tolerance is a negative verdict with a proof", "[cli]") {
@@ -85,7 +89,8 @@ TEST_CASE("a budget chooses the least size factor for a specimen, and two proofs
         "1");
   const Outcome text = mdm({"solve", athabasca, "--specimen", "cylinder:50x100", "--void-ratio", "0.6",
                             "--particles", "1484", "--by", "size-factor"});
-  CHECK(text.out.find("suffice for no size factor: without the specimen the smallest set has more") !=
+  CHECK(text.out.find(
+            "1484 particles: no size factor suffices: without the specimen the smallest set has more") !=
         std::string::npos);
   const Json none = solve_json(with({"--particles", "1484", "--by", "size-factor"}), 1);
   CHECK(none.at("budget").at("size_factor").is_null());
