@@ -16,6 +16,7 @@
 #include "plot/triaxial_figure.hpp"
 #include "report/sample_notes.hpp"
 #include "text/lines.hpp"
+#include "text/option_name.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 #include <mdm/text/error.hpp>

@@ -51,7 +51,7 @@ HANDED_ON = {
     "*settle_digits(table.values,reading.round,cumulative mass)", "rounding_note(result_.is_exact)", "rounding_note(curves_.box.is_exact)",
     "representative_note(match,*height)", "representative_note(d)", "left_out_note(all.interpolated)", "source_->size_note()",
     "source_.size_note()", "source.size_note()", "note.get<std::string>()", "note.is_string()?note.get<std::string>():note.dump()",
-    "sentence(within.why().reason)", "read_sample_file(c.sample,options,verifier.sizes(),c.output.quiet)",
+    "sentence(within.why().reason)", "budget_text(*m.budget)", "read_sample_file(c.sample,options,verifier.sizes(),c.output.quiet)",
 }
 
 # Notes that stay English, and why.
