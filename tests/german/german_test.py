@@ -33,7 +33,7 @@ ELSEWHERE = {
     "src/papers/": "the papers' tables",
     "src/crosscheck/": "of mdm crosscheck",
     "src/cli/crosscheck": "of mdm crosscheck",
-    "src/cli/plot.cpp": "of mdm plot",
+    "src/cli/plot_gradation.cpp": "of mdm plot",
     "src/cli/batch_solver.cpp": "of mdm batch",
     "src/ask/generate.cpp": "of mdm generate",
     "src/ask/inverse.cpp": "of mdm generate --inverse",
@@ -51,7 +51,7 @@ HANDED_ON = {
     "*settle_digits(table.values,reading.round,cumulative mass)", "rounding_note(result_.is_exact)", "rounding_note(curves_.box.is_exact)",
     "representative_note(match,*height)", "representative_note(d)", "left_out_note(all.interpolated)", "source_->size_note()",
     "source_.size_note()", "source.size_note()", "note.get<std::string>()", "note.is_string()?note.get<std::string>():note.dump()",
-    "sentence(within.why().reason)", "budget_text(*m.budget)", "read_sample_file(c.sample,options,verifier.sizes(),c.output.quiet)",
+    "sentence(within.why().reason)", "read_sample_file(c.sample,options,verifier.sizes(),c.output.quiet)",
 }
 
 # Notes that stay English, and why.
