@@ -33,7 +33,7 @@ ELSEWHERE = {
     "src/papers/": "the papers' tables",
     "src/crosscheck/": "of mdm crosscheck",
     "src/cli/crosscheck": "of mdm crosscheck",
-    "src/cli/plot_gradation.cpp": "of mdm plot",
+    "src/cli/plot": "of mdm plot",
     "src/cli/batch_solver.cpp": "of mdm batch",
     "src/ask/generate.cpp": "of mdm generate",
     "src/ask/inverse.cpp": "of mdm generate --inverse",
