@@ -68,6 +68,9 @@ void tell_answer(const Match &m, const OutputFlags &output) {
   const std::string id = printable(m.gradation.id()) + ": ";
   if (output.verbose && !output.quiet)
     return tell(answer_text(m, nullptr, nullptr, true));
+  output.tell_notes(m.gradation.notes()); // solve's own are of doubles that may leave their class
+  if (!m.complete && Interrupt::was_pressed())
+    output.tell_notes({"the search was interrupted"});
   if (m.status != Status::optimal)
     tell(id + headline(m) + "\n");
   if (m.budget && !output.quiet)
@@ -101,18 +104,10 @@ ExportedParticles solved_particles(const ExportTexts &c, const OutputFlags &outp
                                    ": give it, 1000 where they are densities in g/cm^3");
     return of;
   };
-  const auto searched = [&] {
-    const Gradation g = read();
-    SearchProgress progress(output.quiet);
-    Found found = in_file(source, [&] { return search.ask(g, progress.call()); });
-    if (!found.match.complete && Interrupt::was_pressed())
-      output.tell_notes({"the search was interrupted"});
-    return found;
-  };
-  Found found = searched();
-  found.match.notes.clear(); // they are of doubles that may leave their class
+  const Gradation g = read();
+  const Found found =
+      in_file(source, [&] { return searched(search, g, search.question().of(g), output.quiet); });
   const Match &m = found.match;
-  output.tell_notes(m.gradation.notes());
   tell_answer(m, output);
   if (!m.has_answer())
     return {std::nullopt, found.outcome, m.gradation.unit(), ""};

@@ -74,9 +74,7 @@ Found solved(const Gradation &g, const PlotCommand &c, const std::optional<Envel
   const AskedSearch search(
       c.asked.match_texts(), c.asked.budget, [&limits](const std::string &) { return limits.value(); },
       false);
-  SearchProgress progress(c.output.quiet);
-  Found found = in_file(c.file, [&] { return search.ask(g, progress.call()); });
-  SearchProgress::note_interrupt(found.match);
+  Found found = in_file(c.file, [&] { return searched(search, g, search.question().of(g), c.output.quiet); });
   if (c.output.verbose && !c.output.quiet)
     tell(answer_text(found.match, nullptr, nullptr, true));
   return found;

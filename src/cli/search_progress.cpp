@@ -33,4 +33,11 @@ std::string SearchProgress::text() {
                      approximate(Rational(gap * 100), 3));
 }
 
+Found searched(const AskedSearch &search, const Gradation &g, const Question &question, bool quiet) {
+  SearchProgress progress(quiet);
+  Found found = search.ask(g, question, progress.call());
+  SearchProgress::note_interrupt(found.match);
+  return found;
+}
+
 } // namespace mdm::cli

@@ -2,10 +2,9 @@
 /// \file
 /// The progress of one search, shown on a terminal, and its end by Ctrl-C.
 
+#include "ask/asked_search.hpp"
 #include "files/interrupt.hpp"
 #include "files/progress_line.hpp"
-
-#include <mdm/match/solve.hpp>
 
 #include <mutex>
 #include <optional>
@@ -30,5 +29,8 @@ private:
   Interrupt interrupt_;
   ProgressLine line_; // last: its thread calls text()
 };
+
+/// The answer, or what is known of it when Ctrl-C is pressed, which its notes say.
+Found searched(const AskedSearch &search, const Gradation &g, const Question &question, bool quiet);
 
 } // namespace mdm::cli

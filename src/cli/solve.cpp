@@ -185,15 +185,6 @@ std::uint64_t seed_of(const SolveCommand &c) {
   return seed64("seed", c.seed.value_or("1"));
 }
 
-/// The match, or what is known of it when Ctrl-C is pressed.
-Found searched(const SolveCommand &c, const AskedSearch &search, const Gradation &g,
-               const Question &question) {
-  SearchProgress progress(c.output.quiet);
-  Found found = search.ask(g, question, progress.call());
-  SearchProgress::note_interrupt(found.match);
-  return found;
-}
-
 /// The proofs that were asked for. Notes say which are not written, and where the gradation is written for
 /// mdm-check.
 std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, Found &found) {
@@ -280,7 +271,7 @@ Exit run(const SolveCommand &c) {
   Found found = in_file(source, [&] {
     if (c.proof || c.coq)
       check_certifiable(asked_gradation(asked.gradation, question), question);
-    return searched(c, search, asked.gradation, question);
+    return searched(search, asked.gradation, question, c.output.quiet);
   });
   Match &m = found.match;
   const ProgressLine progress([] { return std::string("writing"); }, c.output.quiet);
