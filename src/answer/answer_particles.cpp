@@ -40,7 +40,7 @@ ParticleSet particle_set(const AnswerSample &answer, const MassLaw &law, const P
         fmt::format("the answer has a spread of sizes, which are rounded: export the gradation with {} "
                     "and the same {}",
                     option("spread"), option("seed")));
-  SizedSample sample{answer.id, answer.unit, answer.size_power, {}, answer.share_error};
+  SizedSample sample{answer.id, answer.unit, answer.size_power, {}, answer.errors};
   const RootSize *above = nullptr;
   for (const AnswerSample::Class &c : answer.classes) {
     const RootSize size{answer.scale * power(Rational(c.mass / c.quantity), answer.scale_power),

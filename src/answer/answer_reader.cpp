@@ -141,7 +141,7 @@ const Json *AnswerReader::achieved_shares(std::size_t classes) const {
   return &shares;
 }
 
-Rational AnswerReader::share_error(const Json &classes, const Json &achieved) const {
+ShareErrors AnswerReader::errors_of(const Json &classes, const Json &achieved) const {
   std::vector<Rational> masses, shares;
   for (std::size_t j = 0; j < classes.size(); ++j) {
     masses.push_back(decimal(classes[j], "mass", class_place(j)));
@@ -149,10 +149,11 @@ Rational AnswerReader::share_error(const Json &classes, const Json &achieved) co
     shares.push_back(share == "0" ? Rational(0) : fraction(share, fmt::format("achieved[{}]", j)));
   }
   const Rational mass = sum(masses), all = sum(shares);
-  Rational most = 0;
-  for (std::size_t j = 0; j < masses.size(); ++j)
-    most = std::max(most, abs(Rational(shares[j] / all - masses[j] / mass)));
-  return most;
+  for (std::size_t j = 0; j < masses.size(); ++j) {
+    masses[j] /= mass;
+    shares[j] /= all;
+  }
+  return share_errors(masses, shares);
 }
 
 SizeUnit AnswerReader::unit() const {
@@ -237,7 +238,7 @@ AnswerSample AnswerReader::sample() {
   if (sample.classes.empty())
     refuse("classes", "have no particles: give an answer that has some");
   if (achieved != nullptr)
-    sample.share_error = share_error(classes, *achieved);
+    sample.errors = errors_of(classes, *achieved);
   return sample;
 }
 

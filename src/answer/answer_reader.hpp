@@ -44,7 +44,7 @@ private:
 
   const Json &array(const char *key) const;
   const Json *achieved_shares(std::size_t classes) const;
-  Rational share_error(const Json &classes, const Json &achieved) const;
+  ShareErrors errors_of(const Json &classes, const Json &achieved) const;
   SizeUnit unit() const;
   RootSize opening(const Json &from, const char *key, const char *power_key, const std::string &place) const;
   void add_class(AnswerSample &sample, const Json &from, std::size_t j, const Json *achieved) const;

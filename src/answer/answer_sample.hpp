@@ -3,6 +3,7 @@
 /// The sample that an answer of mdm states.
 
 #include "gradation/description.hpp"
+#include "gradation/share_errors.hpp"
 
 #include <mdm/gradation/read_gradation.hpp>
 
@@ -36,7 +37,7 @@ struct AnswerSample {
   unsigned size_power = 1;    ///< root of the gradation
   unsigned scale_power = 1;   ///< p, b of the law times the root of the gradation
   Integer particles;          ///< N as it is stated
-  Rational share_error = 0;   ///< greatest difference of an achieved share from that of the masses
+  ShareErrors errors = {};    ///< of achieved shares, by those of the masses
   bool has_spread = false;    ///< particles have other sizes as well, which are not read
 };
 

@@ -219,7 +219,7 @@ std::string budget_text(const MatchBudget &budget) {
     return particles + "no " + what + " is known to suffice";
   if (!budget.enough)
     return particles + "no " + what + " suffices" +
-           (is_tolerance ? "" : ": without the specimen the smallest set has more");
+           (is_tolerance ? "" : ": without the specimen no match has so few");
   const std::string enough =
       particles + "the " + what + " " + to_decimal(*budget.enough) + sign + " suffices";
   return budget.next_finer ? enough + ", " + to_decimal(*budget.next_finer) + sign + " does not" : enough;
@@ -246,7 +246,8 @@ std::string headline(const Match &m) {
   case Status::optimal:
     return counted(particles) + ": " + set;
   case Status::feasible:
-    return "stopped at a limit: " + set + " has " + between + "; below is one with " + counted(particles);
+    return "stopped at a limit: " + set + " has " + between + "; one with " + counted(particles) +
+           " was found";
   case Status::none:
     return "no match within the limit on N: " + set + " has " + counted(m.lower_bound);
   default:

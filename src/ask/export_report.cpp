@@ -191,8 +191,8 @@ std::string how_to_verify(const ExportTexts &c, const ExportFormat &format, cons
       start != nullptr && start->sides() == Sides::cylinder
           ? fmt::format(" --specimen cylinder:{}{}", start->text(start->box()[0]), name(set.unit))
           : "";
-  return fmt::format("check it by: mdm verify {} {}{}{}{} --tolerance {}\n", shell_word(*c.file),
-                     shell_word(c.out), *options, unit, specimen, share_tolerance(set));
+  return fmt::format("check it by: mdm verify {} {}{}{}{} {}\n", shell_word(*c.file), shell_word(c.out),
+                     *options, unit, specimen, tolerance_options(set));
 }
 
 std::string model_guide(const ExportFormat &format, const SettleModel &model) {

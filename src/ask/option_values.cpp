@@ -50,7 +50,7 @@ Integer natural(const std::string &name, const std::string &text, const Integer 
   const std::optional<Integer> n = parse_typed_natural(text);
   if (!n || *n < least)
     throw InputError(option(name) + ": " + in_quotes(text) + " is not a whole number from " +
-                     to_string(least) + " on (at most 1000 digits)");
+                     to_string(least) + " on (at most 1000 digits, exponents up to 400)");
   return *n;
 }
 

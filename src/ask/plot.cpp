@@ -75,6 +75,8 @@ void PlotTexts::check() const {
   if (sample && wants_match())
     throw InputError("SAMPLE and " + (match ? option("match") : given_of_solving()) +
                      ": give one of them, particles or the wish for a match");
+  if (wants_section() && wants_match())
+    throw InputError(option("what") + " section: a match has no places: give a SAMPLE such as a dump");
   if (what && *what != "curve" && !sample && !wants_match())
     throw InputError(option("what") + " " + *what +
                      ": give a SAMPLE, for example the answer of mdm solve --format json, or " +
@@ -82,13 +84,16 @@ void PlotTexts::check() const {
 }
 
 std::string PlotTexts::given_of_solving() const {
-  const std::string given = solve.given();
+  SolveTexts asked = solve;
+  asked.digits.reset(); // of what is told alone
+  const std::string given = asked.given();
   return given.empty() ? budget.given() : given;
 }
 
 SolveTexts PlotTexts::match_texts() const {
   SolveTexts texts = solve;
   texts.band = band;
+  texts.pan_size = soil.pan_size;
   if (!texts.is_tolerant() && !budget.particles && !texts.max_steps && !texts.time_limit)
     texts.max_steps = std::to_string(most_steps_beside);
   return texts;

@@ -15,6 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view proof_ending = ".proof";
+/// Of a budget of mdm batch: that the next finer tolerance, or size factor, needs more particles.
+constexpr std::string_view finer_ending = ".proof.finer";
 /// Of mdm batch and mdm crosscheck.
 constexpr std::string_view gradation_endings[] = {".gradation", ".gradation.json"};
 
@@ -56,6 +58,15 @@ std::uint64_t number_of(const std::string &name) {
   const auto digits = static_cast<std::size_t>(end - name.begin());
   const bool is_number = digits > 0 && digits <= most_digits && (end == name.end() || *end == '-');
   return is_number ? std::stoull(name.substr(0, digits)) : 0;
+}
+
+using NumberedPaths = std::multimap<std::uint64_t, std::string>;
+
+NumberedPaths numbered_paths(const std::string &folder, std::string_view ending) {
+  NumberedPaths paths;
+  for (const std::string &name : names_with(ending, folder))
+    paths.emplace(number_of(name), path_in(folder, name, ending));
+  return paths;
 }
 
 bool is_blank(const Input &line) {
@@ -125,9 +136,9 @@ int check_stream(const std::string &suite, const std::string &stream, const Mann
   return verdicts.end(lines.name());
 }
 
-/// Hands on the lines of a suite with the certificates of a folder, and takes these out of the list.
-void check_lines(InputLines &lines, std::multimap<std::uint64_t, std::string> &proofs,
-                 const std::string &folder, std::optional<Answers> &answers, Verdicts &verdicts) {
+/// Hands on the lines of a suite with the certificates of a folder, and takes these out of the lists.
+void check_lines(InputLines &lines, NumberedPaths &proofs, NumberedPaths &finer, const std::string &folder,
+                 std::optional<Answers> &answers, Verdicts &verdicts) {
   while (const std::optional<Input> line = lines.next()) {
     if (is_blank(*line))
       continue;
@@ -139,23 +150,26 @@ void check_lines(InputLines &lines, std::multimap<std::uint64_t, std::string> &p
     if (first == last)
       verdicts.missing(printable(line->name) + ": no certificate in " + checker::quoted(folder));
     proofs.erase(first, last);
+    const auto [first_finer, last_finer] = finer.equal_range(lines.number());
+    for (auto proof = first_finer; proof != last_finer; ++proof)
+      verdicts.check_file(*line, proof->second);
+    finer.erase(first_finer, last_finer);
   }
   check_end(answers, lines.name());
 }
 
 int check_suite_folder(const std::string &suite, const std::string &folder, const Manner &manner,
                        std::optional<Answers> &answers) {
-  std::multimap<std::uint64_t, std::string> proofs;
-  for (const std::string &name : names_with(proof_ending, folder))
-    proofs.emplace(number_of(name), path_in(folder, name, proof_ending));
+  NumberedPaths proofs = numbered_paths(folder, proof_ending), finer = numbered_paths(folder, finer_ending);
   Verdicts verdicts(manner);
   InputLines lines(suite);
   try {
-    check_lines(lines, proofs, folder, answers, verdicts);
+    check_lines(lines, proofs, finer, folder, answers, verdicts);
   } catch (const Answers::Broken &error) {
     verdicts.malformed(error.what());
     return verdicts.end(lines.name());
   }
+  proofs.merge(finer);
   for (const auto &[number, proof] : proofs)
     verdicts.malformed(printable(proof) + ": begins with the number of no line of " +
                        checker::quoted(lines.name()));
@@ -176,28 +190,35 @@ int check_suite(const std::string &suite, const std::string &proofs, const Manne
 }
 
 int check_folder(const std::string &folder, const Manner &manner) {
-  const std::set<std::string> proofs = names_with(proof_ending, folder);
+  const std::set<std::string> proofs = names_with(proof_ending, folder),
+                              finer = names_with(finer_ending, folder);
   std::map<std::string, std::string> gradations;
   for (const std::string_view ending : gradation_endings)
     for (const std::string &name : names_with(ending, folder))
       gradations.emplace(name, path_in(folder, name, ending));
   std::set<std::string> all = proofs;
+  all.insert(finer.begin(), finer.end());
   for (const auto &[name, path] : gradations)
     all.insert(name);
   Verdicts verdicts(manner);
   for (const std::string &name : all) {
     const std::string proof = path_in(folder, name, proof_ending);
     const auto gradation = gradations.find(name);
+    if (gradation == gradations.end()) {
+      verdicts.missing(printable(proof) + ": no gradation beside it: give the suite");
+      continue;
+    }
     if (proofs.count(name) == 0)
       verdicts.missing(printable(gradation->second) + ": no certificate beside it");
-    else if (gradation == gradations.end())
-      verdicts.missing(printable(proof) + ": no gradation beside it: give the suite");
-    else
-      try {
-        verdicts.check_file(read_input(gradation->second, most_gradation_bytes), proof);
-      } catch (const std::runtime_error &error) {
-        verdicts.malformed(error.what());
-      }
+    try {
+      const Input read = read_input(gradation->second, most_gradation_bytes);
+      if (proofs.count(name) > 0)
+        verdicts.check_file(read, proof);
+      if (finer.count(name) > 0)
+        verdicts.check_file(read, path_in(folder, name, finer_ending));
+    } catch (const std::runtime_error &error) {
+      verdicts.malformed(error.what());
+    }
   }
   return verdicts.end(folder);
 }

@@ -14,6 +14,7 @@
 #include "files/paths.hpp"
 #include "files/progress_line.hpp"
 #include "files/standard_streams.hpp"
+#include "number/counted.hpp"
 #include "text/versions.hpp"
 
 #include <mdm/text/error.hpp>
@@ -88,6 +89,8 @@ void check_files(const BatchCommand &c) {
     check_distinct({file, c.output.path()});
     check_readable(file);
   }
+  if (std::count(c.files.begin(), c.files.end(), "-") > 1)
+    throw InputError("standard input is given twice: give it once");
   if (c.alone && !c.shard)
     throw InputError(option("alone") + ": it is of a shard: say with " + option("shard") + " which");
   if (reads_stdin(c) && c.flags.band == "-")
@@ -217,8 +220,9 @@ int run(const BatchCommand &c) {
   out.commit();
   if (is_whole)
     return report.worst();
-  c.output.tell_notes({fmt::format(
-      "the run was interrupted: {} gradations are answered, the others were not asked", report.lines())});
+  c.output.tell_notes(
+      {fmt::format("the run was interrupted: {} {} answered, the others were not asked",
+                   counted(report.lines(), "gradation"), report.lines() == 1 ? "is" : "are")});
   return worse_exit(report.worst(), Exit::limited);
 }
 

@@ -3,7 +3,7 @@
 #include "answer/answer.hpp"
 #include "answer/batch_csv.hpp"
 #include "answer/error_line.hpp"
-#include "cli/finer_proof.hpp"
+#include "cli/match_proofs.hpp"
 #include "cli/search_progress.hpp"
 #include "files/paths.hpp"
 #include "gradation/material_gradation.hpp"
@@ -45,6 +45,8 @@ std::string told(const Match &m, const OutputFlags &output) {
     return "";
   const std::string id = printable(m.gradation.id()) + ": ";
   std::string text = m.status == Status::optimal ? "" : id + headline(m) + "\n";
+  if (output.quiet)
+    return text;
   if (m.budget)
     text += id + budget_text(*m.budget) + "\n";
   for (const std::string &note : m.notes)
@@ -90,7 +92,7 @@ BatchAnswer BatchSolver::solved(Gradation g, const BatchItem &item) const {
   SearchProgress::note_interrupt(m);
   std::string proof, certificate_text;
   if (command_.proofs && has_certificate(m)) {
-    certificate_text = in_file(item.where, [&] { return certificate(m); });
+    certificate_text = in_file(item.where, [&] { return noted_certificate(m); });
     if (command_.has_proof_folder())
       proof = write_proofs(std::exchange(certificate_text, {}), answered, item, checked);
     else if (answered.finer)

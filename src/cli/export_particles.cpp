@@ -69,7 +69,7 @@ void tell_answer(const Match &m, const OutputFlags &output) {
   if (output.verbose && !output.quiet)
     return tell(answer_text(m, nullptr, nullptr, true));
   output.tell_notes(m.gradation.notes()); // solve's own are of doubles that may leave their class
-  if (!m.complete && Interrupt::was_pressed())
+  if (SearchProgress::was_interrupted(m))
     output.tell_notes({"the search was interrupted"});
   if (m.status != Status::optimal)
     tell(id + headline(m) + "\n");

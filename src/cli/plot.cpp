@@ -203,23 +203,24 @@ Run add_plot(CLI::App &app) {
   add_options(command, PlotTexts::options, c->asked);
   c->soil.add_to(command);
   add_match_options(command, c->asked.solve, c->asked.budget);
-  command.get_option("--digits")
-      ->description("taken as solve takes it, without effect here: a picture has no digits of sizes");
+  command.get_option("--digits")->description("significant digits of the sizes that --verbose tells (15)");
   c->picture.add_to(command);
   c->output.add_verbose(command, "on standard error also the answer of a match, with its scale");
   c->output.add_quiet(command, "no progress and no notes on standard error");
   c->reading.add_to(command);
-  command.footer(footer(
-      paragraph("Exit code 1: there is no match within what was asked; 3: none was found within the limit, "
-                "without one some seconds for an exact match. Nothing is drawn."),
-      {"mdm plot sand.csv --match -o sand.svg", "mdm plot sand.csv --tolerance retained:1% -o sand.svg",
-       "mdm plot sand.csv settled.dump --what section -o settled.png",
-       "mdm plot sand.csv --band limits.csv -o sand.pdf",
-       "mdm plot bh1.csv --beside bh2.csv --beside bh3.csv -o bh.svg",
-       "mdm plot station1.csv --beside station2.csv --texture folk -o stations.svg",
-       "mdm plot start.packing --colour contacts -o start.png",
-       "mdm plot sand-triaxial.csv -o sand-triaxial.svg",
-       "mdm plot tradeoff.json --language de --width 500 -o tradeoff.svg"}));
+  command.footer(footer(paragraph("Exit code 1: there is no match within what was asked; 3: the smallest was "
+                                  "not found within the limit, "
+                                  "without one some seconds for an exact match. Then nothing is drawn, "
+                                  "unless the budget alone is open."),
+                        {"mdm plot sand.csv --match -o sand.svg",
+                         "mdm plot sand.csv --tolerance retained:1% -o sand.svg",
+                         "mdm plot sand.csv settled.dump --what section -o settled.png",
+                         "mdm plot sand.csv --band limits.csv -o sand.pdf",
+                         "mdm plot bh1.csv --beside bh2.csv --beside bh3.csv -o bh.svg",
+                         "mdm plot station1.csv --beside station2.csv --texture folk -o stations.svg",
+                         "mdm plot start.packing --colour contacts -o start.png",
+                         "mdm plot sand-triaxial.csv -o sand-triaxial.svg",
+                         "mdm plot tradeoff.json --language de --width 500 -o tradeoff.svg"}));
   return [c] { return run(*c); };
 }
 

@@ -36,12 +36,10 @@ void add(std::vector<std::string> &notes, const std::vector<std::string> &more) 
   notes.insert(notes.end(), more.begin(), more.end());
 }
 
-Gradation drawn_gradation(const PlotCommand &c, bool is_sample, const std::string &content) {
-  const Gradation read = is_sample ? any_curve(c.file, c.reading, c.output.quiet).gradation
-                         : is_answer(content)
-                             ? answer_curve(content, shown_name(c.file))
-                             : read_gradation(content, shown_name(c.file), c.reading.reading());
-  return in_file(c.file, [&] { return c.soil.with_pan(read); });
+Gradation gradation_in_file(const PlotCommand &c, bool is_sample, const std::string &content) {
+  return is_sample            ? any_curve(c.file, c.reading, c.output.quiet).gradation
+         : is_answer(content) ? answer_curve(content, shown_name(c.file))
+                              : read_gradation(content, shown_name(c.file), c.reading.reading());
 }
 
 /// The particles of a sample beside g; also their places where a section is wanted.
@@ -82,15 +80,16 @@ Found solved(const Gradation &g, const PlotCommand &c, const std::optional<Envel
 
 /// The particles of a match. What the picture does not show of it is noted: an exact one of the gradation
 /// alone needs no words, and notes of the gradation stand below the picture already.
-void add_match(Draft &draft, const Match &m, const Gradation &g) {
+void add_match(Draft &draft, const Match &m) {
   draft.figure.particles = drawn(m);
   if (!in_words(m.question, m.gradation.unit()).empty())
     draft.notes.push_back(headline(m));
   if (m.budget)
     draft.notes.push_back(budget_text(*m.budget));
+  const std::vector<std::string> &shown = m.gradation.notes();
   std::copy_if(m.notes.begin(), m.notes.end(), std::back_inserter(draft.notes),
-               [&g](const std::string &note) {
-                 return std::find(g.notes().begin(), g.notes().end(), note) == g.notes().end();
+               [&shown](const std::string &note) {
+                 return std::find(shown.begin(), shown.end(), note) == shown.end();
                });
 }
 
@@ -132,18 +131,22 @@ int plot_gradation(const PlotCommand &c, bool is_sample, const std::string &cont
   if (c.asked.size_unit && (!c.asked.sample || has_answer))
     throw InputError(option("size-unit") + ": it is of a SAMPLE that is a file of particles: leave it out");
   Draft draft{c.asked.figure(is_sample), {}, {}};
-  const Gradation g = drawn_gradation(c, is_sample, content);
+  const Gradation read = gradation_in_file(c, is_sample, content);
+  Gradation g = in_file(c.file, [&] { return c.soil.with_pan(read); });
   if (c.asked.band) {
     draft.figure.envelope = band_with_curve(*c.asked.band);
     add(draft.notes, draft.figure.envelope->notes);
   }
+  int exit = Exit::done;
   if (c.asked.wants_match()) {
-    const Found found = solved(g, c, draft.figure.envelope);
-    if (found.outcome != Outcome::done) {
+    const Found found = solved(read, c, draft.figure.envelope);
+    exit = exit_code(found.outcome);
+    if (found.outcome != Outcome::done && found.match.status != Status::optimal) {
       tell(printable(shown_name(c.file)) + ": nothing was drawn: " + why_none(found) + "\n");
-      return exit_code(found.outcome);
+      return exit;
     }
-    add_match(draft, found.match, g);
+    add_match(draft, found.match);
+    g = found.match.gradation; // as it was asked for: cut, magnified
   } else if (has_answer) {
     add_answer(draft, g, c);
   } else if (c.asked.sample) {
@@ -151,7 +154,8 @@ int plot_gradation(const PlotCommand &c, bool is_sample, const std::string &cont
   }
   const Figure figure = finished(std::move(draft), g, c);
   c.output.tell_notes(figure.remarks);
-  return draw_figure(c, figure);
+  draw_figure(c, figure);
+  return exit;
 }
 
 } // namespace mdm::cli

@@ -16,8 +16,13 @@ ProgressCall SearchProgress::call() {
   };
 }
 
+bool SearchProgress::was_interrupted(const Match &found) {
+  const bool is_open = !found.complete || (found.budget && !found.budget->is_decided);
+  return is_open && Interrupt::was_pressed();
+}
+
 void SearchProgress::note_interrupt(Match &found) {
-  if (!found.complete && Interrupt::was_pressed())
+  if (was_interrupted(found))
     found.notes.push_back("the search was interrupted");
 }
 

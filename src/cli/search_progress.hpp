@@ -18,7 +18,9 @@ public:
 
   /// For SolveOptions::progress; this must outlive the search.
   ProgressCall call();
-  /// Says in the notes of the match that the search was interrupted, if it was.
+  /// True if Ctrl-C left something of the answer open.
+  static bool was_interrupted(const Match &found);
+  /// Says so in the notes of the match.
   static void note_interrupt(Match &found);
 
 private:

@@ -1,8 +1,8 @@
 #include "answer/answer.hpp"
 #include "ask/option_values.hpp"
 #include "cli/commands.hpp"
-#include "cli/finer_proof.hpp"
 #include "cli/help.hpp"
+#include "cli/match_proofs.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/reading_flags.hpp"
 #include "cli/search_progress.hpp"
@@ -185,6 +185,15 @@ std::uint64_t seed_of(const SolveCommand &c) {
   return seed64("seed", c.seed.value_or("1"));
 }
 
+/// The second proof of a budget; a note says where one of another run is in its place.
+void add_finer(std::vector<SideFile> &files, const std::string &path,
+               const std::optional<std::string> &certificate, std::vector<std::string> &notes) {
+  if (certificate)
+    files.push_back({std::make_unique<Output>(path), *certificate});
+  else if (std::filesystem::exists(filesystem_path(path)))
+    notes.push_back(printable(path) + " is of another run: this one has no such proof");
+}
+
 /// The proofs that were asked for. Notes say which are not written, and where the gradation is written for
 /// mdm-check.
 std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, Found &found) {
@@ -200,20 +209,18 @@ std::vector<SideFile> side_files(const SolveCommand &c, const Target &asked, Fou
           "no proof was written to " + printable(*path) + ": the limit came before the end" +
           (std::filesystem::exists(filesystem_path(*path)) ? "; the file that is there is older" : ""));
   };
-  Certified made;
+  std::string made;
   if ((c.proof || c.coq) && has_certificate(m))
-    made = in_file(source, [&] { return certified(m); });
-  add(c.proof, has_certificate(m), [&] { return made.text; });
+    made = in_file(source, [&] { return noted_certificate(m); });
+  add(c.proof, has_certificate(m), [&] { return made; });
   if (!files.empty())
     if (std::optional<SideFile> csv = readable_gradation(c, asked, m.notes))
       files.push_back(std::move(*csv));
-  if (c.proof)
-    if (const std::optional<std::string> finer = in_file(source, [&] { return finer_certificate(found); }))
-      add(finer_proof(*c.proof), true, [&] { return *finer; });
+  if (c.proof && !is_stream(*c.proof))
+    add_finer(files, finer_proof(*c.proof), in_file(source, [&] { return finer_certificate(found); }),
+              m.notes);
   add(c.vipr, m.complete, [&] { return vipr(m); });
-  add(c.coq, has_certificate(m), [&] { return theorem(c, asked, m, made.text); });
-  if (made.bound)
-    m.notes.push_back("the proof is of the bounds: at least " + to_string(*made.bound) + " particles");
+  add(c.coq, has_certificate(m), [&] { return theorem(c, asked, m, made); });
   return files;
 }
 

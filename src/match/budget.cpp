@@ -3,15 +3,16 @@
 // tolerance matches within every greater one, and what fills a specimen fills it magnified. So there is a
 // first step that suffices; it is found by halving.
 //
-// Invariant: with `above` particles suffice, with `below` they do not. Where a limit ends a search, what it
-// was asked is open: then two boundaries are found by halving, that of what is known to suffice and that of
-// what is known not to, and the answer is a bracket. In the end the two neighbours are solved with their
-// proofs.
+// Where a limit ends a search, what it was asked is open: then two boundaries are found by halving, that of
+// what is known to suffice and that of what is known not to, and the answer is a bracket. The matches at both
+// are kept with their proofs.
 
 #include "match/budget.hpp"
 
+#include "match/watch.hpp"
 #include "match/widest_tolerance.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 
@@ -23,18 +24,7 @@ struct BudgetSteps {
   std::function<Rational(const Integer &)> value;        ///< of the step i >= 0
   std::function<void(Question &, const Rational &)> set; ///< puts it into the question
   Integer last = 0;                                      ///< the last step that is looked at
-  bool is_weakest = true;                                ///< no step asks for less than the last
 };
-
-/// The same limits for a match that has no more particles than the budget: the first one that there is.
-SolveOptions within(const Integer &particles, SolveOptions options) {
-  options.at_most = particles;
-  options.limits.enough = particles;
-  if (const auto now = std::chrono::steady_clock::now();
-      options.limits.deadline && *options.limits.deadline > now)
-    options.limits.deadline = now + (*options.limits.deadline - now) / 4;
-  return options;
-}
 
 /// Tolerances 0, grid, 2 grid, ... below the widest, and the widest.
 BudgetSteps tolerance_steps(const Budget &budget) {
@@ -57,33 +47,16 @@ Rational most_demanded(const Solids &solids) {
   return std::get<SolidsVolume>(solids).volume;
 }
 
-/// Size factors 1, 1 + grid, 1 + 2 grid, ... up to one with which the smallest match that there is without a
-/// specimen fills it.
-BudgetSteps factor_steps(const Gradation &g, Question question, const Budget &budget,
-                         const SolveOptions &options) {
+/// Size factors 1, 1 + grid, 1 + 2 grid, ... up to one with which particles of that volume fill a specimen.
+BudgetSteps factor_steps(const Budget &budget, const Solids &demanded, const Rational &there_is) {
   BudgetSteps steps{[grid = budget.grid](const Integer &i) { return Rational(1 + i * grid); },
                     [](Question &q, const Rational &factor) { q.size_factor = factor; }};
-  const Rational demanded = most_demanded(question.solids.value());
-  question.solids.reset();
-  SolveOptions of_any = within(budget.particles, options);
-  of_any.limits.keep_proof = false;
-  const Match any = solve(g, question, of_any);
-  steps.is_weakest = any.has_answer() || any.status == Status::none;
-  const std::optional<Enclosure> volume = any.has_answer() ? any.solids_volume() : std::nullopt;
-  if (!volume) // of other particles than spheres a specimen cannot be asked, as the first step will say
-    return steps;
-  const Rational there_is = volume->lower();
-  const auto fills = [&](const Integer &i) { return power(steps.value(i), 3) * there_is >= demanded; };
+  const Rational volume = most_demanded(demanded);
+  const auto fills = [&](const Integer &i) { return power(steps.value(i), 3) * there_is >= volume; };
   if (!fills(Integer(0)))
     for (steps.last = 1; !fills(steps.last);)
       steps.last *= 2;
   return steps;
-}
-
-BudgetSteps steps_of(const Gradation &g, const Question &question, const Budget &budget,
-                     const SolveOptions &options) {
-  return budget.by == BudgetBy::tolerance ? tolerance_steps(budget)
-                                          : factor_steps(g, question, budget, options);
 }
 
 /// Looks for the first step that suffices, by halves.
@@ -91,93 +64,172 @@ class BudgetSearch {
 public:
   BudgetSearch(const Gradation &g, const Question &question, const Budget &budget,
                const SolveOptions &options)
-      : g_(g), question_(question), budget_(budget), options_(options),
-        steps_(steps_of(g, question, budget, options)) {}
+      : g_(g), question_(question), budget_(budget), options_(options) {
+    if (options.progress)
+      options_.progress = [this, call = options.progress](const Progress &known) {
+        is_stopped_ = is_stopped_ || !call(known);
+        return !is_stopped_;
+      };
+    watch_ = Watch(options_.limits.deadline, options_.progress).telling([this](Progress &known) {
+      known.lower_bound = question_.at_least;
+      if (enough_)
+        known.particles = enough_->match.particles();
+    });
+  }
+  BudgetSearch(const BudgetSearch &) = delete;
+  BudgetSearch &operator=(const BudgetSearch &) = delete;
 
   BudgetMatch run() {
-    if (suffices(steps_.last) != true)
-      return without_step();
-    if (suffices(Integer(0)) == true)
-      return {with_budget(solved(Integer(0), options_), Integer(0), std::nullopt), std::nullopt};
-    // Between what is known to suffice and what is not; what a limit left open is neither.
-    const Integer enough = boundary([this](const Integer &i) { return suffices(i) == true; });
-    const Integer open = boundary([this](const Integer &i) { return suffices(i) != false; });
-    BudgetMatch result{solved(enough, options_), std::nullopt};
-    std::optional<Integer> finer;
-    if (suffices(Integer(open - 1)) == false)
-      finer = Integer(open - 1);
-    if (finer)
-      result.finer = solved(*finer, within(budget_.particles, options_));
-    result.match = with_budget(std::move(result.match), enough, finer);
-    if (finer != enough - 1)
-      result.match.notes.push_back(std::string("a limit left open which ") +
-                                   (budget_.by == BudgetBy::tolerance ? "tolerance" : "size factor") +
-                                   " is the least that suffices");
-    return result;
+    if (budget_.by == BudgetBy::tolerance) {
+      steps_ = tolerance_steps(budget_);
+    } else {
+      // Magnified, the smallest match that there is without a specimen fills it.
+      Match free = decided(without_solids());
+      if (!free.has_answer())
+        return without_step(std::move(free));
+      steps_ = factor_steps(budget_, question_.solids.value(), free.solids_volume().value().lower());
+    }
+    Match last = decided(question_at(steps_.last));
+    if (known_[steps_.last] = verdict(last); !known_[steps_.last].value_or(false))
+      return without_step(std::move(last));
+    keep(steps_.last, std::move(last));
+    if (suffices(Integer(0)) != true) {
+      // Between what is known to suffice and what is not; what a limit left open is neither.
+      halve([this](const Integer &i) { return suffices(i) == true; });
+      halve([this](const Integer &i) { return suffices(i) != false; });
+    }
+    return bracket();
   }
 
 private:
-  Match solved(const Integer &i, const SolveOptions &options) const {
+  /// A match at a step, and which it is.
+  struct Step {
+    Integer i;
+    Match match;
+  };
+
+  Question question_at(const Integer &i) const {
     Question question = question_;
     steps_.set(question, steps_.value(i));
+    return question;
+  }
+
+  /// \throws InputError as for any question with a volume of solids, if this one has other particles
+  Question without_solids() const {
+    Question question = question_;
+    if (question.law.is_sphere())
+      question.solids.reset(); // else solve() refuses it
+    return question;
+  }
+
+  /// The first match that there is with no more particles than the budget.
+  Match within_budget(const Question &question, bool in_all_time) const {
+    SolveOptions options = options_;
+    options.at_most = budget_.particles;
+    options.limits.enough = budget_.particles;
+    options.limits.gap.reset(); // it says nothing of the budget
+    if (const auto now = std::chrono::steady_clock::now();
+        !in_all_time && options.limits.deadline && *options.limits.deadline > now)
+      options.limits.deadline = now + (*options.limits.deadline - now) / 4;
     return solve(g_, question, options);
   }
 
-  /// Nothing: a limit left it open.
+  /// The same in all the time that is left, where a part of it leaves open whether there is one: without it
+  /// there is nothing to look for.
+  Match decided(const Question &question) const {
+    Match m = within_budget(question, false);
+    return verdict(m) || !options_.limits.deadline || is_over() ? std::move(m)
+                                                                : within_budget(question, true);
+  }
+
+  /// Whether the budget suffices. Nothing: a limit left it open.
+  static std::optional<bool> verdict(const Match &m) {
+    return m.has_answer()             ? std::optional(true)
+           : m.status == Status::none ? std::optional(false)
+                                      : std::nullopt;
+  }
+
+  bool is_over() const { return is_stopped_ || watch_.ends(); }
+
+  /// Keeps the match at the first step that is known to suffice, and the proof at the last that does not.
+  void keep(const Integer &i, Match m) {
+    std::optional<Step> &at = m.has_answer() ? enough_ : finer_;
+    if (!at || (m.has_answer() ? i < at->i : i > at->i))
+      at.emplace(Step{i, std::move(m)});
+  }
+
+  /// The verdict of a step; where the time is over, or the caller said so, no search begins.
   std::optional<bool> suffices(const Integer &i) {
     const auto [known, is_new] = known_.try_emplace(i);
-    if (is_new) {
-      SolveOptions options = within(budget_.particles, options_);
-      options.limits.keep_proof = false;
-      const Match m = solved(i, options);
-      if (m.has_answer())
-        known->second = true;
-      else if (m.status == Status::none)
-        known->second = false;
+    if (is_new && !is_over()) {
+      Match m = within_budget(question_at(i), false);
+      known->second = verdict(m);
+      if (known->second)
+        keep(i, std::move(m));
     }
     return known->second;
   }
 
-  /// The first step above 0 for which `holds` by halving, which is true of the last one.
+  /// Comes to the first step above 0 for which `holds` by halving, which is true of the last one.
   template <class Holds>
-  Integer boundary(const Holds &holds) {
+  void halve(const Holds &holds) {
     Integer below = 0, above = steps_.last;
     while (above - below > 1) {
       const Integer middle = (below + above) / 2;
       (holds(middle) ? above : below) = middle;
     }
-    return above;
   }
 
-  /// No step is enough, or that is open.
-  BudgetMatch without_step() {
+  /// The smallest match at the first step that suffices; where a limit comes before its end, the smaller one
+  /// of that search and of the one for the step.
+  Match smallest() {
+    Match &known = enough_->match;
+    if (is_over())
+      return std::move(known);
     SolveOptions options = options_;
-    options.at_most = budget_.particles;
-    const bool is_proved = steps_.is_weakest && suffices(steps_.last) == false;
-    Match m = solved(steps_.last, options);
-    return {with_budget(std::move(m), std::nullopt,
-                        is_proved ? std::optional<Integer>(steps_.last) : std::nullopt),
-            std::nullopt};
+    options.at_most = std::min(budget_.particles, options.at_most.value_or(budget_.particles));
+    Match m = solve(g_, question_at(enough_->i), options);
+    if (m.complete || m.status == Status::none || (m.has_answer() && *m.particles() <= *known.particles()))
+      return m;
+    known.lower_bound = std::max(known.lower_bound, std::min(m.lower_bound, *known.particles()));
+    return std::move(known);
   }
 
-  Match with_budget(Match m, const std::optional<Integer> &enough,
-                    const std::optional<Integer> &finer) const {
+  BudgetMatch bracket() {
+    BudgetMatch result{smallest(), std::nullopt};
+    MatchBudget budget{budget_.particles, budget_.by, steps_.value(enough_->i), std::nullopt,
+                       enough_->i == 0 || (finer_ && finer_->i + 1 == enough_->i)};
+    if (finer_) {
+      budget.next_finer = steps_.value(finer_->i);
+      result.finer = std::move(finer_->match);
+    }
+    if (!budget.is_decided)
+      result.match.notes.push_back(std::string("a limit left open which ") +
+                                   (budget_.by == BudgetBy::tolerance ? "tolerance" : "size factor") +
+                                   " is the least that suffices");
+    result.match.budget = std::move(budget);
+    return result;
+  }
+
+  /// No step is enough, or that is open. \param weakest  it asks for less than any step, or as little
+  BudgetMatch without_step(Match weakest) const {
     MatchBudget budget{budget_.particles, budget_.by, std::nullopt, std::nullopt, false};
-    if (enough)
-      budget.enough = steps_.value(*enough);
-    if (finer)
-      budget.next_finer = steps_.value(*finer);
-    budget.is_decided = enough ? (*enough == 0 || (finer && *finer + 1 == *enough)) : finer.has_value();
-    m.budget = std::move(budget);
-    return m;
+    budget.is_decided = weakest.status == Status::none;
+    if (budget.is_decided)
+      budget.next_finer = steps_.value ? steps_.value(steps_.last) : Rational(1);
+    weakest.budget = std::move(budget);
+    return {std::move(weakest), std::nullopt};
   }
 
   const Gradation &g_;
   const Question &question_;
   const Budget &budget_;
-  const SolveOptions &options_;
+  SolveOptions options_;
+  Watch watch_;
+  bool is_stopped_ = false;
   BudgetSteps steps_;
   std::map<Integer, std::optional<bool>> known_;
+  std::optional<Step> enough_, finer_;
 };
 
 } // namespace

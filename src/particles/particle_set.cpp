@@ -77,14 +77,8 @@ private:
   Rational density_;
 };
 
-Rational share_error(const Match &m) {
-  Rational most = 0;
-  if (!m.sample->shares)
-    return most;
-  const std::vector<Rational> asked = shares(m.gradation);
-  for (std::size_t j = 0; j < asked.size(); ++j)
-    most = std::max(most, abs(Rational((*m.sample->shares)[j] - asked[j])));
-  return most;
+ShareErrors errors_of(const Match &m) {
+  return m.sample->shares ? share_errors(shares(m.gradation), *m.sample->shares) : ShareErrors{};
 }
 
 /// A set whose classes are filled by fill(class, its quantity, x^(a root) of a particle that had all of its
@@ -92,7 +86,7 @@ Rational share_error(const Match &m) {
 template <class Fill>
 ParticleSet match_set(const Match &m, const Writer &writer, SizeUnit unit, Fill fill) {
   const Gradation &g = m.gradation;
-  ParticleSet set{g.id(), unit, writer.law(), {}, share_error(m)};
+  ParticleSet set{g.id(), unit, writer.law(), {}, errors_of(m)};
   const std::vector<Rational> masses = powered_masses(m);
   for (std::size_t j = 0; j < masses.size(); ++j) {
     const Integer &q = m.sample->quantities[j];
@@ -208,7 +202,7 @@ ParticleSet spread_particle_set(const Match &m, std::uint64_t seed, const Partic
 
 ParticleSet particle_set(const SizedSample &sample, const MassLaw &law, const ParticleSetOptions &options) {
   const Writer writer(sample.unit, law, sample.root, options);
-  ParticleSet set{sample.name, options.unit, writer.law(), {}, sample.share_error};
+  ParticleSet set{sample.name, options.unit, writer.law(), {}, sample.errors};
   for (const SizedSample::Class &c : sample.classes) {
     set.classes.push_back(writer.empty(c.number, "", c.lower, c.upper, 1));
     writer.add(set.classes.back(), c.powered, c.quantity);

@@ -2,6 +2,7 @@
 /// \file
 /// The particles of a match as they are written into files.
 
+#include "gradation/share_errors.hpp"
 #include "particles/particle_format.hpp"
 #include "particles/written_number.hpp"
 
@@ -40,8 +41,7 @@ struct ParticleSet {
   SizeUnit unit = SizeUnit::m;
   MassLaw law;                        ///< of sizes in the unit
   std::vector<ParticleClass> classes; ///< those with particles, ascending by their sizes
-  /// Greatest difference of a class's share of the mass from that in the gradation: 0 for exact matches.
-  Rational share_error = 0;
+  ShareErrors errors = {};            ///< of its shares of the mass, by what was asked for
 
   bool has_materials() const { return !classes.front().material.empty(); }
   Integer particles() const;
@@ -92,7 +92,7 @@ struct SizedSample {
   SizeUnit unit = SizeUnit::mm;
   unsigned root = 1;          ///< of the gradation
   std::vector<Class> classes; ///< ascending
-  Rational share_error = 0;   ///< as in ParticleSet
+  ShareErrors errors = {};    ///< as in ParticleSet
 };
 
 /// The particles of a sample. \throws InputError as above

@@ -148,7 +148,10 @@ double specimen_height(const SettleModel &model, double void_ratio) {
   return (1 + void_ratio) * cubes * (model.space == Space::cylinder ? 2.0 / 3 : std::numbers::pi / 6);
 }
 
-std::string share_tolerance(const ParticleSet &set) {
+namespace {
+
+/// The percentage points of an error, and what rounded masses add to it, rounded up.
+std::string points_text(const ParticleSet &set, const Rational &error) {
   // Masses m_j (1 + e_j), |e_j| <= e, have shares within 2 e / (1 - e); 17 digits of a dump, and a snap, add
   // a little.
   const Rational e = set.mass_error() + (1 + set.law.steepness()) / Rational(power_of_ten(15));
@@ -156,8 +159,22 @@ std::string share_tolerance(const ParticleSet &set) {
   unsigned places = 0;
   while (points * power_of_ten(places) < 1)
     ++places;
-  return short_decimal(ceil(Rational((100 * set.share_error + points) * power_of_ten(places))),
+  return short_decimal(ceil(Rational((100 * error + points) * power_of_ten(places))),
                        static_cast<int>(places));
+}
+
+} // namespace
+
+std::string share_tolerance(const ParticleSet &set) {
+  return points_text(set, set.errors.retained);
+}
+
+std::string tolerance_options(const ParticleSet &set) {
+  const std::string retained = "--tolerance " + share_tolerance(set);
+  if (set.errors.total == 0 || set.has_materials())
+    return retained;
+  return retained + " --tolerance passing:" + points_text(set, set.errors.passing) +
+         " --tolerance total:" + points_text(set, set.errors.total);
 }
 
 } // namespace mdm

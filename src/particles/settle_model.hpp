@@ -144,9 +144,10 @@ double disc_length(const ParticleSet &set);
 /// Height of the specimen at a void ratio, in m. \pre it has a lid
 double specimen_height(const SettleModel &model, double void_ratio);
 
-/// Percentage points by which no share can be off the gradation's in a sample with these sizes, rounded up:
-/// what to give to `mdm verify --tolerance`.
+/// Percentage points by which no share can be off the gradation's in a sample with these sizes, rounded up.
 std::string share_tolerance(const ParticleSet &set);
+/// What to give to `mdm verify`: the same, and within a tolerance also what passes, and all classes together.
+std::string tolerance_options(const ParticleSet &set);
 
 /// Each is an input script that is run in its folder; it stops with a message where a count is wrong, the
 /// density that is asked for cannot be reached, or the grains are not at rest or not jammed at the end.

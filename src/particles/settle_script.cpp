@@ -116,16 +116,16 @@ std::string SettleScript::verification(const char *engine_options) const {
     return "# mdm verify needs a gradation, and here is a band alone: only the counts are checked, as they "
            "come in.\n";
   std::string text =
-      fmt::format("# Then: mdm verify GRADATION {}{}{}{}{} --tolerance {}\n", dump, engine_options,
-                  *model.verify_options, reaches_sieve(set) ? " --snap 1e-15" : "",
+      fmt::format("# Then: mdm verify GRADATION {}{}{}{}{} {}\n", dump, engine_options, *model.verify_options,
+                  reaches_sieve(set) ? " --snap 1e-15" : "",
                   model.space == Space::cylinder ? fmt::format(" --specimen cylinder:{}m", box.x) : "",
-                  share_tolerance(set));
+                  tolerance_options(set));
   if (!model.question.empty())
     text +=
         fmt::format("# (GRADATION, --pan-size, --cut-below and --size-factor as mdm solve had them: {}.)\n",
                     comment_word(model.question));
-  if (set.share_error > 0)
-    text += "# The shares of the mass are off by that many percentage points, as was asked for.\n";
+  if (set.errors.total > 0)
+    text += "# The shares of the mass are off by so many percentage points, within what was asked for.\n";
   return text;
 }
 

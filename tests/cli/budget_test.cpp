@@ -89,8 +89,7 @@ TEST_CASE("a budget chooses the least size factor for a specimen, and two proofs
         "1");
   const Outcome text = mdm({"solve", athabasca, "--specimen", "cylinder:50x100", "--void-ratio", "0.6",
                             "--particles", "1484", "--by", "size-factor"});
-  CHECK(text.out.find(
-            "1484 particles: no size factor suffices: without the specimen the smallest set has more") !=
+  CHECK(text.out.find("1484 particles: no size factor suffices: without the specimen no match has so few") !=
         std::string::npos);
   const Json none = solve_json(with({"--particles", "1484", "--by", "size-factor"}), 1);
   CHECK(none.at("budget").at("size_factor").is_null());
@@ -125,13 +124,47 @@ TEST_CASE("a folder of proofs has both of a budget, a stream says that it has on
   const Outcome more = mdm_check(first, proofs + "/000001-a.proof.finer");
   CHECK(contains(more.out, "accepted: N = 4 is"));
   CHECK_FALSE(std::filesystem::exists(proofs + "/000002-b.proof.finer")); // it matches exactly
-  CHECK(mdm_check({"--suite", suite, proofs}).exit_code == 0);
+  const Outcome all = mdm_check({"--suite", suite, proofs});
+  CHECK(contains(all.out, "3 accepted, 0 refused"));
 
   const std::string stream = folder / "all.proofs";
   const Outcome streamed = mdm({"batch", suite, "--particles", "3", "--proofs", stream});
   CHECK(contains(lines_of(streamed.out)[0], "that of the next finer step"));
   CHECK_FALSE(contains(lines_of(streamed.out)[1], "that of the next finer step"));
   CHECK(mdm_check({"--suite", suite, stream}).exit_code == 0);
+}
+
+TEST_CASE("a second proof that is none, or of no line, is malformed", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string suite = folder.write("suite.jsonl", lines), proofs = folder / "proofs";
+  REQUIRE(mdm({"batch", suite, "--particles", "3", "--proofs", proofs, "-o", folder / "a.jsonl"}).exit_code ==
+          0);
+  const std::string finer = proofs + "/000001-a.proof.finer";
+  std::filesystem::rename(finer, proofs + "/7.proof.finer");
+  CHECK(contains(mdm_check({"--suite", suite, proofs}).out, "begins with the number of no line"));
+  std::filesystem::remove(proofs + "/7.proof.finer");
+  std::ofstream(finer) << "no certificate\n";
+  const Outcome broken = mdm_check({"--suite", suite, proofs});
+  CHECK(broken.exit_code == 2);
+  CHECK(contains(broken.out, "2 accepted, 0 refused, 1 malformed"));
+}
+
+TEST_CASE("a proof of a budget that lies there from another run is told", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string proof = folder / "proof";
+  REQUIRE(mdm({"solve", athabasca, "--particles", "500", "--proof", proof}).exit_code == 0);
+  CHECK(contains(mdm({"solve", athabasca, "--proof", proof}).out, ".finer is of another run"));
+}
+
+TEST_CASE("that no size factor suffices has a proof", "[cli]") {
+  const TemporaryFolder folder;
+  const Outcome none = mdm({"solve", athabasca, "--particles", "1484", "--by", "size-factor", "--specimen",
+                            "cylinder:50x100", "--void-ratio", "0.6", "--proof", folder / "proof"});
+  CHECK(none.exit_code == 1);
+  const Outcome verdict = mdm_check(athabasca, folder / "proof");
+  CHECK(verdict.exit_code == 0);
+  CHECK(contains(verdict.out, "1485"));
+  CHECK_FALSE(contains(verdict.out, "cylinder"));
 }
 
 TEST_CASE("shards of different budgets are not one run", "[cli]") {
@@ -175,7 +208,8 @@ TEST_CASE("particles of a budget are exported, and their check names what it cho
   };
   checked({"--specimen", "cylinder:5x10", "--void-ratio", "0.7", "--by", "size-factor"},
           "--size-factor 1.207 ");
-  checked({"--min-per-class", "40"}, "--tolerance 2.8189884");
+  checked({"--min-per-class", "40"}, "--tolerance 2.8189884 --tolerance passing:");
+  checked({"--min-per-class", "40", "--tolerance", "total"}, " --tolerance total:");
 }
 
 TEST_CASE("options that do not go with a budget are refused", "[cli]") {

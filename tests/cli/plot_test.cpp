@@ -124,6 +124,33 @@ TEST_CASE("a match that is drawn with a band is in the band", "[cli]") {
   CHECK(contains(picture, "within the band"));
 }
 
+TEST_CASE("the target of a match is drawn as it was asked for", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string coarse = folder.write("coarse.csv", "size_mm,mass\n0,10\n1,40\n2,50\n4,0\n");
+  const auto drawn_by = [&](Arguments options) {
+    options.insert(options.begin(), coarse);
+    return drawn(folder, "picture.svg", options);
+  };
+  const std::string magnified = drawn_by({"--size-factor", "3"});
+  CHECK(contains(magnified, ">12<"));
+  CHECK(contains(magnified, "sizes multiplied by 3"));
+  CHECK(contains(drawn_by({"--match", "--pan-size", "0.5"}), "pan counted as size 0.5 mm"));
+  CHECK(drawn_by({"--digits", "5"}) == drawn_by({}));
+  check_refused(mdm({"plot", coarse, "--match", "--what", "section", "-o", folder / "section.svg"}),
+                "a match has no places");
+}
+
+TEST_CASE("a match of a budget that is open is drawn, and its bounds are told", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string fine = folder.write(
+      "fine.csv", "size_mm,mass\n0,95\n1,46\n1.5,89\n2.26,95\n3.4,84\n5.11,68\n7.68,4\n11.55,0\n");
+  const Outcome open = mdm({"plot", fine, "--particles", "10", "--tolerance", "total", "--node-limit", "0",
+                            "-o", folder / "open.svg"});
+  CHECK(open.exit_code == 3);
+  CHECK(contains(open.err, "a limit left open which tolerance is the least that suffices"));
+  CHECK(std::filesystem::exists(folder / "open.svg"));
+}
+
 TEST_CASE("a match that there is none of, or that a limit ends, is not drawn", "[cli]") {
   const TemporaryFolder folder;
   const std::string picture = folder / "picture.svg";

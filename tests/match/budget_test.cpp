@@ -113,6 +113,62 @@ TEST_CASE("where a limit leaves it open, a budget has no tolerance or a bracket"
     CHECK((!known.is_decided || *known.enough - *known.next_finer == ratio(1, 1000)));
 }
 
+TEST_CASE("whatever ends a search early, the match of a budget has no more particles, and its step is told") {
+  std::mt19937_64 random(83);
+  int open = 0, decided = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Gradation g = brute::random_gradation(random);
+    const Budget budget{2 + static_cast<int>(random() % 9), BudgetBy::tolerance, Kind::retained,
+                        ratio(1, 100)};
+    SolveOptions options;
+    if (i % 2 == 0)
+      options.limits.node_limit = random() % 4;
+    int calls = static_cast<int>(random() % 4);
+    if (i % 3 == 0)
+      options.progress = [&calls](const Progress &) { return calls-- > 0; };
+    if (i % 5 == 0)
+      options.limits.deadline = std::chrono::steady_clock::now();
+    const BudgetMatch found = solve_within_budget(g, {}, budget, options);
+    const MatchBudget &known = found.match.budget.value();
+    CHECK(found.match.has_answer() == known.enough.has_value());
+    if (found.match.has_answer()) {
+      CHECK(*found.match.particles() <= budget.particles);
+      CHECK(found.match.lower_bound <= *found.match.particles());
+      CHECK(found.match.question.tolerances.front().percent == *known.enough);
+    }
+    CHECK(found.finer.has_value() == (known.enough && known.next_finer));
+    ++(known.is_decided ? decided : open);
+  }
+  CHECK(open >= 20);
+  CHECK(decided >= 20);
+}
+
+TEST_CASE("a gap is of the match at the step, and changes no step") {
+  std::mt19937_64 random(84);
+  for (int i = 0; i < 60; ++i) {
+    const Gradation g = brute::random_gradation(random);
+    const Budget budget{2 + static_cast<int>(random() % 9), BudgetBy::tolerance, Kind::passing, 1};
+    SolveOptions options;
+    options.limits.gap = 10;
+    const MatchBudget with_gap = solve_within_budget(g, {}, budget, options).match.budget.value();
+    const MatchBudget without = solve_within_budget(g, {}, budget).match.budget.value();
+    CHECK(with_gap.enough == without.enough);
+    CHECK(with_gap.next_finer == without.next_finer);
+    CHECK(with_gap.is_decided);
+  }
+}
+
+TEST_CASE("that no size factor suffices is shown of matches of any volume") {
+  const Gradation g = gradation({1, 2, 3}, {7, 3, 0});
+  Question question;
+  question.solids = SolidsVolume{Rational(1000)};
+  const BudgetMatch found = solve_within_budget(g, question, {1, BudgetBy::size_factor});
+  CHECK(found.match.status == Status::none);
+  CHECK(found.match.budget->is_decided);
+  CHECK_FALSE(found.match.question.solids.has_value());
+  CHECK(found.match.lower_bound > 1);
+}
+
 TEST_CASE("the size factor of a budget is the first on the grid with which a specimen needs no more") {
   std::mt19937_64 random(82);
   const Rational grids[] = {ratio(1, 2), ratio(1, 3), ratio(1, 20)};
