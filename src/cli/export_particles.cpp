@@ -86,6 +86,18 @@ std::string idle_for_materials(const ExportTexts &c) {
                                                              : c.reading.given());
 }
 
+/// The gradation in FILE. A unit that the file does not say is none of export's options.
+Gradation read_to_export(const ExportTexts &c, const std::string &content) {
+  try {
+    return read_gradation(content, shown_name(*c.file), c.reading.reading());
+  } catch (const InputError &e) {
+    const std::string message = e.what();
+    if (message.find(option("unit")) == std::string::npos)
+      throw;
+    throw InputError(message + "; mdm convert takes it: here it is of the file that is written");
+  }
+}
+
 /// \param content of FILE; open: there is the band alone
 ExportedParticles solved_particles(const ExportTexts &c, const OutputFlags &output,
                                    const std::optional<std::string> &content,
@@ -96,7 +108,7 @@ ExportedParticles solved_particles(const ExportTexts &c, const OutputFlags &outp
     if (!content)
       return in_file(source, [&] { return middle_of(*search.question().rest.band); });
     if (!is_material_gradation(*content))
-      return read_gradation(*content, shown_name(source), c.reading.reading());
+      return read_to_export(c, *content);
     refuse_beside_materials(idle_for_materials(c), source);
     Gradation of = read_material_gradation(*content, shown_name(source));
     if (of.has_factors() && !c.density)

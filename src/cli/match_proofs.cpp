@@ -1,7 +1,5 @@
 #include "cli/match_proofs.hpp"
 
-#include "number/counted.hpp"
-
 #include <mdm/proof/certificate.hpp>
 
 namespace mdm::cli {
@@ -9,7 +7,7 @@ namespace mdm::cli {
 std::string noted_certificate(Match &m) {
   Certified made = certified(m);
   if (made.bound)
-    m.notes.push_back("the proof is of the bounds: at least " + counted(*made.bound));
+    m.notes.push_back("the proof is of the bounds: N is at least " + to_string(*made.bound));
   return std::move(made.text);
 }
 
@@ -18,10 +16,9 @@ std::optional<std::string> finer_certificate(Found &found) {
     return std::nullopt;
   Certified finer = certified(*found.finer);
   if (finer.bound && *finer.bound <= found.match.budget->particles)
-    found.match.notes.push_back(
-        "the proof for the next finer step would be too long: the one that is written is "
-        "of at least " +
-        counted(*finer.bound));
+    found.match.notes.push_back("the proof for the next finer step would be too long: the one that is "
+                                "written says that N is at least " +
+                                to_string(*finer.bound));
   return std::move(finer.text);
 }
 

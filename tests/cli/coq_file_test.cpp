@@ -94,7 +94,7 @@ TEST_CASE("where a limit ends the search the theorem is of the bounds, and a not
   const Outcome outcome = mdm({"solve", long_proof(folder), "--tolerance", "retained:0.4%", "--node-limit",
                                "1", "--coq", folder / "sand.v"});
   CHECK(outcome.exit_code == 3);
-  CHECK(outcome.out.find("the proof is of the bounds: at least ") != std::string::npos);
+  CHECK(outcome.out.find("the proof is of the bounds: N is at least ") != std::string::npos);
   CHECK(read_file(folder / "sand.v").find("particles ") != std::string::npos);
 }
 

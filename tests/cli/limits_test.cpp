@@ -40,7 +40,7 @@ TEST_CASE("a chain that is kept stays bounded", "[cli]") {
   const Outcome outcome = mdm({"solve", "-", "--proof", folder / "p", "--max-steps", steps}, endless());
   CHECK(outcome.exit_code == 3);
   CHECK((MDM_IS_SANITIZED || outcome.max_rss_kib < 800 * megabyte));
-  CHECK(contains(outcome.out, "the proof is of the bounds: at least "));
+  CHECK(contains(outcome.out, "the proof is of the bounds: N is at least "));
   CHECK(folder.entries() == 1);
   CHECK(std::filesystem::file_size(folder / "p") < (std::uintmax_t{250} << 20));
 }

@@ -100,7 +100,7 @@ TEST_CASE("a proof of bounds is a theorem and no VIPR file, and an old file is c
   CHECK(outcome.exit_code == 3);
   CHECK(contains(outcome.out, "no proof was written to " + old +
                                   ": the limit came before the end; the file that is there is older\n"));
-  CHECK(contains(outcome.out, "the proof is of the bounds: at least "));
+  CHECK(contains(outcome.out, "the proof is of the bounds: N is at least "));
   CHECK(folder.entries() == 3);
   CHECK(contains(with({"--vipr", folder / "new"}).out,
                  "no proof was written to " + folder / "new" + ": the limit came before the end\n"));
@@ -136,7 +136,7 @@ TEST_CASE("a tree that is too long for a proof proves its bound with fewer windo
                                "--node-limit", "3000", "--proof", folder / "p"});
   CHECK(outcome.exit_code == 3);
   CHECK(contains(outcome.out, "has N in [18, 26]"));
-  CHECK(contains(outcome.out, "the proof is of the bounds: at least 18 particles"));
+  CHECK(contains(outcome.out, "the proof is of the bounds: N is at least 18"));
   CHECK(mdm_check(curve, folder / "p").exit_code == 0);
 }
 

@@ -17,6 +17,7 @@ ROOMS = ("text", "number", "gradation", "soil", "judge", "match", "proof", "sets
 # Parts of commands, of the models that export writes, and of helps, by file.
 EXCEPTIONS = {
     "src/particles/model_yade.cpp": {"--size-unit"},  # of the mdm verify of a model's head
+    "src/particles/settle_model.cpp": {"--tolerance"},  # of the same
     "src/particles/settle_script.cpp": {"--snap", "--specimen", "--pan-size", "--cut-below", "--size-factor"},
     "src/particles/settle_phases.cpp": {"--start"},  # a model's own message
     "src/particles/yade_course.cpp": {"--start"},  # the same of YADE
