@@ -76,7 +76,8 @@ void PlotTexts::check() const {
     throw InputError("SAMPLE and " + (match ? option("match") : given_of_solving()) +
                      ": give one of them, particles or the wish for a match");
   if (wants_section() && wants_match())
-    throw InputError(option("what") + " section: a match has no places: give a SAMPLE such as a dump");
+    throw InputError(option("what") +
+                     " section: there are no places of particles in a match: give a SAMPLE such as a dump");
   if (what && *what != "curve" && !sample && !wants_match())
     throw InputError(option("what") + " " + *what +
                      ": give a SAMPLE, for example the answer of mdm solve --format json, or " +

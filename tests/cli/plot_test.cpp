@@ -137,7 +137,7 @@ TEST_CASE("the target of a match is drawn as it was asked for", "[cli]") {
   CHECK(contains(drawn_by({"--match", "--pan-size", "0.5"}), "pan counted as size 0.5 mm"));
   CHECK(drawn_by({"--digits", "5"}) == drawn_by({}));
   check_refused(mdm({"plot", coarse, "--match", "--what", "section", "-o", folder / "section.svg"}),
-                "a match has no places");
+                "there are no places of particles in a match");
 }
 
 TEST_CASE("a match of a budget that is open is drawn, and its bounds are told", "[cli]") {
