@@ -100,6 +100,14 @@ def check_versions():
     version = re.search(r"project\(mdm VERSION ([\d.]+)", CMAKE)[1]
     for name, text in MADE.items():
         assert re.findall(r'\bversion(?: = |: | |\()"([\d.]+)"', text) == [version], name
+    check_changelog(version)
+
+
+def check_changelog(version):
+    """Debian's changelog begins with the version, in lines that lintian does not find too long."""
+    lines = (SOURCE / "src/cmake/debian/changelog").read_text(encoding="utf-8").splitlines()
+    assert lines[0].startswith(f"exactmdm ({version}-1) "), lines[0]
+    assert all(len(line) <= 80 for line in lines), max(lines, key=len)
 
 
 def spack_packages():
