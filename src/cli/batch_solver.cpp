@@ -4,7 +4,8 @@
 #include "answer/batch_csv.hpp"
 #include "answer/error_line.hpp"
 #include "cli/match_proofs.hpp"
-#include "cli/search_progress.hpp"
+#include "cli/searched.hpp"
+#include "files/interrupt.hpp"
 #include "files/paths.hpp"
 #include "gradation/material_gradation.hpp"
 #include "text/json_writer.hpp"
@@ -89,7 +90,7 @@ BatchAnswer BatchSolver::solved(Gradation g, const BatchItem &item) const {
   const ProgressCall go_on = [](const Progress &) { return !Interrupt::was_pressed(); };
   Found answered = in_file(item.where, [&] { return search_.ask(std::move(g), go_on); });
   Match &m = answered.match;
-  SearchProgress::note_interrupt(m);
+  note_interrupt(m);
   std::string proof, certificate_text;
   if (command_.proofs && has_certificate(m)) {
     certificate_text = in_file(item.where, [&] { return noted_certificate(m); });

@@ -6,7 +6,7 @@
 #include "ask/asked_search.hpp"
 #include "ask/option_values.hpp"
 #include "cli/export_command.hpp"
-#include "cli/search_progress.hpp"
+#include "cli/searched.hpp"
 #include "files/byte_source.hpp"
 #include "files/paths.hpp"
 #include "files/sample_file.hpp"
@@ -69,7 +69,7 @@ void tell_answer(const Match &m, const OutputFlags &output) {
   if (output.verbose && !output.quiet)
     return tell(answer_text(m, nullptr, nullptr, true));
   output.tell_notes(m.gradation.notes()); // solve's own are of doubles that may leave their class
-  if (SearchProgress::was_interrupted(m))
+  if (was_interrupted(m))
     output.tell_notes({"the search was interrupted"});
   if (m.status != Status::optimal)
     tell(id + headline(m) + "\n");

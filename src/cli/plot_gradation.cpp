@@ -5,7 +5,7 @@
 #include "ask/asked_search.hpp"
 #include "ask/option_values.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/search_progress.hpp"
+#include "cli/searched.hpp"
 #include "files/byte_source.hpp"
 #include "files/paths.hpp"
 #include "files/sample_file.hpp"

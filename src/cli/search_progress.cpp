@@ -16,16 +16,6 @@ ProgressCall SearchProgress::call() {
   };
 }
 
-bool SearchProgress::was_interrupted(const Match &found) {
-  const bool is_open = !found.complete || (found.budget && !found.budget->is_decided);
-  return is_open && Interrupt::was_pressed();
-}
-
-void SearchProgress::note_interrupt(Match &found) {
-  if (was_interrupted(found))
-    found.notes.push_back("the search was interrupted");
-}
-
 std::string SearchProgress::text() {
   const std::lock_guard lock(mutex_);
   if (!known_)
@@ -36,13 +26,6 @@ std::string SearchProgress::text() {
   const Rational gap = Rational(*known_->particles - known_->lower_bound) / Rational(*known_->particles);
   return fmt::format("solving, N in [{}, {}], gap {} %", least, to_string(*known_->particles),
                      approximate(Rational(gap * 100), 3));
-}
-
-Found searched(const AskedSearch &search, const Gradation &g, const Question &question, bool quiet) {
-  SearchProgress progress(quiet);
-  Found found = search.ask(g, question, progress.call());
-  SearchProgress::note_interrupt(found.match);
-  return found;
 }
 
 } // namespace mdm::cli

@@ -2,9 +2,10 @@
 /// \file
 /// The progress of one search, shown on a terminal, and its end by Ctrl-C.
 
-#include "ask/asked_search.hpp"
 #include "files/interrupt.hpp"
 #include "files/progress_line.hpp"
+
+#include <mdm/match/solve.hpp>
 
 #include <mutex>
 #include <optional>
@@ -18,10 +19,6 @@ public:
 
   /// For SolveOptions::progress; this must outlive the search.
   ProgressCall call();
-  /// True if Ctrl-C left something of the answer open.
-  static bool was_interrupted(const Match &found);
-  /// Says so in the notes of the match.
-  static void note_interrupt(Match &found);
 
 private:
   std::string text();
@@ -31,8 +28,5 @@ private:
   Interrupt interrupt_;
   ProgressLine line_; // last: its thread calls text()
 };
-
-/// The answer, or what is known of it when Ctrl-C is pressed, which its notes say.
-Found searched(const AskedSearch &search, const Gradation &g, const Question &question, bool quiet);
 
 } // namespace mdm::cli

@@ -5,7 +5,7 @@
 #include "cli/match_proofs.hpp"
 #include "cli/output_flags.hpp"
 #include "cli/reading_flags.hpp"
-#include "cli/search_progress.hpp"
+#include "cli/searched.hpp"
 #include "cli/solve_flags.hpp"
 #include "cli/solve_number.hpp"
 #include "files/byte_source.hpp"
