@@ -181,7 +181,7 @@ ParticleSet SampleSet::set(const std::string &name, SizeUnit from, const Particl
   const Rational density = options.density * power(Rational(in_mm(options.unit) / 1000), 3);
   const Classes of = classes(from, options.unit, sieves);
   const std::vector<Rational> &openings = of.openings;
-  ParticleSet set{name, options.unit, {}, {}, 0};
+  ParticleSet set{name, options.unit, {}, {}, {}};
   std::size_t last = 0; // class
   for (const auto &[size, quantity] : sizes_) {
     const SizeRange diameter{size.lo * unit, size.hi * unit};
