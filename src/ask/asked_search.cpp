@@ -10,6 +10,15 @@ std::optional<Budget> budget_of(const BudgetTexts &budget, const SolveTexts &oth
 
 } // namespace
 
+bool is_open(const Match &found) {
+  return !found.complete || (found.budget && !found.budget->is_decided);
+}
+
+void note_stopped(Match &found) {
+  if (is_open(found))
+    found.notes.push_back("the search was interrupted");
+}
+
 AskedSearch::AskedSearch(SolveTexts asked, const BudgetTexts &budget, const ReadBand &read_band,
                          bool keep_proof)
     : texts_(std::move(asked)), keep_proof_(keep_proof), budget_(budget_of(budget, texts_)),

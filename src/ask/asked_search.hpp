@@ -15,6 +15,11 @@ struct Found {
   Limits limits;
 };
 
+/// True if the search left open whether the match is the smallest, or which step of a budget is the first.
+bool is_open(const Match &found);
+/// Says in the notes of what is open that the caller ended the search.
+void note_stopped(Match &found);
+
 /// The question, its budget of particles if it has one, and the limits. Several threads may ask at once.
 class AskedSearch {
 public:

@@ -186,12 +186,12 @@ std::string SolveTexts::given() const {
   return found;
 }
 
-std::optional<std::string> SolveTexts::idle_for_materials() const {
+std::string SolveTexts::idle_for_materials(const BudgetTexts &budget) const {
   for (const auto &[name, text] :
        {std::pair{"band", band}, std::pair{"pan-size", pan_size}, std::pair{"cut-below", cut_below}})
     if (text)
       return option(name);
-  return std::nullopt;
+  return budget.given();
 }
 
 AskedQuestion SolveTexts::question_of_both(const ReadBand &read_band) const {

@@ -33,6 +33,8 @@ struct GradationTexts {
 /// The envelope that --band has.
 using ReadBand = std::function<Envelope(const std::string &band)>;
 
+struct BudgetTexts;
+
 /// All options of solving, likewise.
 struct SolveTexts : GradationTexts {
   std::vector<std::string> tolerances;
@@ -58,8 +60,9 @@ struct SolveTexts : GradationTexts {
   /// The same for a command that looks for exact matches and for those within a tolerance: limits of either
   /// serve.
   AskedQuestion question_of_both(const ReadBand &read_band) const;
-  /// An option that has no use for a gradation of several materials, as messages name it.
-  std::optional<std::string> idle_for_materials() const;
+  /// An option of these, or of a budget, that has no use for a gradation of several materials, as messages
+  /// name it; empty: none.
+  std::string idle_for_materials(const BudgetTexts &budget) const;
   /// The deadline counts from this call.
   SolveOptions options(bool keep_proof = false) const;
 };

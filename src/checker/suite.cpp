@@ -176,6 +176,15 @@ int check_suite_folder(const std::string &suite, const std::string &folder, cons
   return verdicts.end(lines.name());
 }
 
+/// Judges a certificate against the gradation in a file.
+void check_beside(const std::string &gradation, const std::string &proof, Verdicts &verdicts) {
+  try {
+    verdicts.check_file(read_input(gradation, most_gradation_bytes), proof);
+  } catch (const std::runtime_error &error) {
+    verdicts.malformed(error.what());
+  }
+}
+
 } // namespace
 
 int check_suite(const std::string &suite, const std::string &proofs, const Manner &manner,
@@ -208,17 +217,12 @@ int check_folder(const std::string &folder, const Manner &manner) {
       verdicts.missing(printable(proof) + ": no gradation beside it: give the suite");
       continue;
     }
-    if (proofs.count(name) == 0)
+    if (proofs.count(name) > 0)
+      check_beside(gradation->second, proof, verdicts);
+    else
       verdicts.missing(printable(gradation->second) + ": no certificate beside it");
-    try {
-      const Input read = read_input(gradation->second, most_gradation_bytes);
-      if (proofs.count(name) > 0)
-        verdicts.check_file(read, proof);
-      if (finer.count(name) > 0)
-        verdicts.check_file(read, path_in(folder, name, finer_ending));
-    } catch (const std::runtime_error &error) {
-      verdicts.malformed(error.what());
-    }
+    if (finer.count(name) > 0)
+      check_beside(gradation->second, path_in(folder, name, finer_ending), verdicts);
   }
   return verdicts.end(folder);
 }

@@ -85,12 +85,8 @@ bool reads_stdin(const BatchCommand &c) {
 }
 
 void check_files(const BatchCommand &c) {
-  for (const std::string &file : c.files) {
-    check_distinct({file, c.output.path()});
-    check_readable(file);
-  }
-  if (std::count(c.files.begin(), c.files.end(), "-") > 1)
-    throw InputError("standard input is given twice: give it once");
+  check_paths(c.files, {c.output.path()});
+  std::for_each(c.files.begin(), c.files.end(), check_readable);
   if (c.alone && !c.shard)
     throw InputError(option("alone") + ": it is of a shard: say with " + option("shard") + " which");
   if (reads_stdin(c) && c.flags.band == "-")
@@ -242,8 +238,7 @@ Run add_batch(CLI::App &app) {
       .add_option("--proofs", c->proofs,
                   "write certificates for mdm-check --suite: into the folder NAME, named by the gradation's "
                   "number and id, of a gradation file also what mdm-check reads, and of a budget "
-                  "NAME.proof.finer, that "
-                  "the next finer step needs more particles; or, where NAME ends in "
+                  "NAME.proof.finer, that the next finer step needs more particles; or, where NAME ends in "
                   ".proofs or .proofs.zst or is that of a shard, as one stream with the index NAME.index")
       ->type_name("NAME");
   command

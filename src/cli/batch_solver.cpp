@@ -4,7 +4,6 @@
 #include "answer/batch_csv.hpp"
 #include "answer/error_line.hpp"
 #include "cli/match_proofs.hpp"
-#include "cli/searched.hpp"
 #include "files/interrupt.hpp"
 #include "files/paths.hpp"
 #include "gradation/material_gradation.hpp"
@@ -80,8 +79,7 @@ BatchAnswer BatchSolver::error(const std::string &id, const std::string &message
 
 BatchAnswer BatchSolver::solved(Gradation g, const BatchItem &item) const {
   if (!g.materials().empty())
-    refuse_beside_materials(command_.flags.idle_for_materials().value_or(command_.flags.budget.given()),
-                            item.where);
+    refuse_beside_materials(command_.flags.idle_for_materials(command_.flags.budget), item.where);
   if (command_.output.is_csv() && !g.materials().empty())
     throw InputError(printable(item.where) +
                      ": of several materials, for which the CSV has no column: leave it out, or give " +
@@ -90,7 +88,8 @@ BatchAnswer BatchSolver::solved(Gradation g, const BatchItem &item) const {
   const ProgressCall go_on = [](const Progress &) { return !Interrupt::was_pressed(); };
   Found answered = in_file(item.where, [&] { return search_.ask(std::move(g), go_on); });
   Match &m = answered.match;
-  note_interrupt(m);
+  if (Interrupt::was_pressed())
+    note_stopped(m);
   std::string proof, certificate_text;
   if (command_.proofs && has_certificate(m)) {
     certificate_text = in_file(item.where, [&] { return noted_certificate(m); });

@@ -8,6 +8,7 @@
 #include "cli/export_command.hpp"
 #include "cli/searched.hpp"
 #include "files/byte_source.hpp"
+#include "files/interrupt.hpp"
 #include "files/paths.hpp"
 #include "files/sample_file.hpp"
 #include "files/standard_streams.hpp"
@@ -69,7 +70,7 @@ void tell_answer(const Match &m, const OutputFlags &output) {
   if (output.verbose && !output.quiet)
     return tell(answer_text(m, nullptr, nullptr, true));
   output.tell_notes(m.gradation.notes()); // solve's own are of doubles that may leave their class
-  if (was_interrupted(m))
+  if (is_open(m) && Interrupt::was_pressed())
     output.tell_notes({"the search was interrupted"});
   if (m.status != Status::optimal)
     tell(id + headline(m) + "\n");
@@ -79,11 +80,9 @@ void tell_answer(const Match &m, const OutputFlags &output) {
 
 /// An option that has no use for a gradation of several materials; empty: none.
 std::string idle_for_materials(const ExportTexts &c) {
-  if (const std::string budget = c.budget.given(); !budget.empty())
-    return budget;
-  return c.solve.idle_for_materials().value_or(c.spread      ? option("spread")
-                                               : c.gradation ? option("gradation")
-                                                             : c.reading.given());
+  if (const std::string idle = c.solve.idle_for_materials(c.budget); !idle.empty())
+    return idle;
+  return c.spread ? option("spread") : c.gradation ? option("gradation") : c.reading.given();
 }
 
 /// The gradation in FILE. A unit that the file does not say is none of export's options.

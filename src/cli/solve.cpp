@@ -239,10 +239,8 @@ std::string idle_for_numbers(const SolveCommand &c) {
 
 /// An option that has no use for a gradation of several materials; empty: none.
 std::string idle_for_materials(const SolveCommand &c) {
-  if (const std::optional<std::string> idle = c.flags.idle_for_materials())
-    return *idle;
-  if (const std::string budget = c.flags.budget.given(); !budget.empty())
-    return budget;
+  if (const std::string idle = c.flags.idle_for_materials(c.flags.budget); !idle.empty())
+    return idle;
   const std::pair<const char *, bool> given[] = {
       {"coq", c.coq.has_value()}, {"seed", c.seed.has_value()}, {"spread", c.spread}};
   for (const auto &[name, is_given] : given)

@@ -90,8 +90,9 @@ public:
       steps_ = factor_steps(budget_, question_.solids.value(), free.solids_volume().value().lower());
     }
     Match last = decided(question_at(steps_.last));
-    if (known_[steps_.last] = verdict(last); !known_[steps_.last].value_or(false))
+    if (!last.has_answer())
       return without_step(std::move(last));
+    known_[steps_.last] = true;
     keep(steps_.last, std::move(last));
     if (suffices(Integer(0)) != true) {
       // Between what is known to suffice and what is not; what a limit left open is neither.
@@ -213,8 +214,8 @@ private:
 
   /// No step is enough, or that is open. \param weakest  it asks for less than any step, or as little
   BudgetMatch without_step(Match weakest) const {
-    MatchBudget budget{budget_.particles, budget_.by, std::nullopt, std::nullopt, false};
-    budget.is_decided = weakest.status == Status::none;
+    MatchBudget budget{budget_.particles, budget_.by, std::nullopt, std::nullopt,
+                       weakest.status == Status::none};
     if (budget.is_decided)
       budget.next_finer = steps_.value ? steps_.value(steps_.last) : Rational(1);
     weakest.budget = std::move(budget);

@@ -84,6 +84,19 @@ double softened_young(const SettleModel &model) {
   return std::max({5e6, std::ceil(1e4 * weight), std::ceil(stiffness_by_pressure * pressure)});
 }
 
+/// The percentage points of an error, and what rounded masses add to it, rounded up.
+std::string points_text(const ParticleSet &set, const Rational &error) {
+  // Masses m_j (1 + e_j), |e_j| <= e, have shares within 2 e / (1 - e); 17 digits of a dump, and a snap, add
+  // a little.
+  const Rational e = set.mass_error() + (1 + set.law.steepness()) / Rational(power_of_ten(15));
+  const Rational points = 100 * 2 * e / (1 - std::min(e, ratio(1, 2)));
+  unsigned places = 0;
+  while (points * power_of_ten(places) < 1)
+    ++places;
+  return short_decimal(ceil(Rational((100 * error + points) * power_of_ten(places))),
+                       static_cast<int>(places));
+}
+
 } // namespace
 
 bool SettleModel::resists_rolling() const {
@@ -147,23 +160,6 @@ double specimen_height(const SettleModel &model, double void_ratio) {
   const double cubes = model.set.cubes().convert_to<double>() / (model.box.x * model.box.y);
   return (1 + void_ratio) * cubes * (model.space == Space::cylinder ? 2.0 / 3 : std::numbers::pi / 6);
 }
-
-namespace {
-
-/// The percentage points of an error, and what rounded masses add to it, rounded up.
-std::string points_text(const ParticleSet &set, const Rational &error) {
-  // Masses m_j (1 + e_j), |e_j| <= e, have shares within 2 e / (1 - e); 17 digits of a dump, and a snap, add
-  // a little.
-  const Rational e = set.mass_error() + (1 + set.law.steepness()) / Rational(power_of_ten(15));
-  const Rational points = 100 * 2 * e / (1 - std::min(e, ratio(1, 2)));
-  unsigned places = 0;
-  while (points * power_of_ten(places) < 1)
-    ++places;
-  return short_decimal(ceil(Rational((100 * error + points) * power_of_ten(places))),
-                       static_cast<int>(places));
-}
-
-} // namespace
 
 std::string share_tolerance(const ParticleSet &set) {
   return points_text(set, set.errors.retained);

@@ -23,11 +23,6 @@ py::tuple answer(std::shared_ptr<Solved> found, std::shared_ptr<Solved> finer, p
   return py::make_tuple(std::move(found), std::move(finer), std::move(error));
 }
 
-void note_interrupt(Match &m, const Listener &listener) {
-  if (!m.complete && listener.is_stopped())
-    m.notes.push_back("the search was interrupted");
-}
-
 py::tuple solve_words(const std::optional<Gradation> &g, const std::map<std::string, std::string> &values,
                       const std::vector<std::string> &tolerances, bool keep_proof,
                       const py::object &progress) {
@@ -47,7 +42,8 @@ py::tuple solve_words(const std::optional<Gradation> &g, const std::map<std::str
     Question question = search.question().of(target);
     question.band_alone = !g;
     Found both = search.ask(target, question, listener.call());
-    note_interrupt(both.match, listener);
+    if (listener.is_stopped())
+      note_stopped(both.match);
     found = std::make_shared<Solved>(std::move(both.match), both.limits);
     if (both.finer)
       finer = std::make_shared<Solved>(std::move(*both.finer), both.limits);
