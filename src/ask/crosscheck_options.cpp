@@ -46,8 +46,8 @@ CrosscheckQuestion::CrosscheckQuestion(const CrosscheckTexts &asked, const ReadB
     asked_ = asked.question_of_both(read_band);
 }
 
-Crosscheck CrosscheckQuestion::problem(const Gradation &g) const {
-  return asked_ ? Crosscheck(g, asked_->of(g), limits_) : Crosscheck(g, limits_);
+Crosscheck CrosscheckQuestion::problem(const Gradation &g, const ProgressCall &progress) const {
+  return asked_ ? Crosscheck(g, asked_->of(g), limits_, progress) : Crosscheck(g, limits_, progress);
 }
 
 } // namespace mdm

@@ -32,8 +32,9 @@ public:
 
   /// An exact match of spheres and nothing else.
   bool is_plain() const { return !asked_; }
-  /// The gradation with its least match. \throws InputError where the question does not fit it
-  Crosscheck problem(const Gradation &g) const;
+  /// The gradation with its least match. \param progress as SolveOptions::progress
+  /// \throws InputError where the question does not fit it
+  Crosscheck problem(const Gradation &g, const ProgressCall &progress = {}) const;
   /// What is asked about a gradation in that unit.
   Question question(const Gradation &g) const { return asked_ ? asked_->of(g) : Question(); }
 

@@ -20,18 +20,33 @@
 namespace mdm {
 namespace {
 
+const TableOption &row_of(const TableOption &row) {
+  return row;
+}
+
+template <class Texts>
+TableOption row_of(const OptionRow<Texts> &row) {
+  return {row.name, row.values, row.kind, row.help, row.choices()};
+}
+
 /// The rows of some tables, one table after the other; of those with one name the first.
-template <class... Texts>
-std::vector<TableOption> rows_of(const std::vector<OptionRow<Texts>> &...tables) {
+template <class... Tables>
+std::vector<TableOption> rows_of(const Tables &...tables) {
   std::vector<TableOption> all;
   const auto add = [&all](const auto &table) {
     for (const auto &row : table)
       if (std::none_of(all.begin(), all.end(),
                        [&row](const TableOption &o) { return o.name == std::string_view(row.name); }))
-        all.push_back({row.name, row.values, row.kind, row.help, row.choices()});
+        all.push_back(row_of(row));
   };
   (add(tables), ...);
   return all;
+}
+
+std::vector<TableOption> rows_of_solving() {
+  return rows_of(SolveTexts::tolerance_options, SolveTexts::band_options, BudgetTexts::options,
+                 SolveTexts::question_options, SolveTexts::search_options, GradationTexts::options,
+                 SolveTexts::answer_options, SolveTexts::limit_options);
 }
 
 std::vector<TableOption> without(const std::string &name, std::vector<TableOption> rows) {
@@ -64,9 +79,7 @@ const char *name(OptionKind kind) {
 
 const std::vector<OptionsOfCommand> &option_table() {
   static const std::vector<OptionsOfCommand> table = {
-      {"solve", rows_of(SolveTexts::tolerance_options, SolveTexts::band_options, BudgetTexts::options,
-                        SolveTexts::question_options, SolveTexts::search_options, GradationTexts::options,
-                        SolveTexts::answer_options, SolveTexts::limit_options)},
+      {"solve", rows_of_solving()},
       {"verify", rows_of(VerifyTexts::options, ParticleTexts::options, GradationTexts::options,
                          VerifyTexts::answer_options, PlaceTexts::options)},
       {"crosscheck",
@@ -85,17 +98,11 @@ const std::vector<OptionsOfCommand> &option_table() {
                                 PackTexts::place_options, PackTexts::answer_options))},
       // Sizes in a file of particles have as many digits as its masses need.
       {"export",
-       without("digits",
-               rows_of(ExportTexts::options, ExportTexts::particle_options, ExportTexts::start_options,
-                       ExportTexts::model_options, ExportTexts::size_options, SolveTexts::tolerance_options,
-                       SolveTexts::band_options, BudgetTexts::options, SolveTexts::question_options,
-                       SolveTexts::search_options, GradationTexts::options, SolveTexts::limit_options,
-                       SolveTexts::answer_options, ReadingTexts::options))},
-      {"plot", without("digits",
-                       rows_of(PlotTexts::options, SoilTexts::options, SolveTexts::tolerance_options,
-                               BudgetTexts::options, SolveTexts::question_options, SolveTexts::search_options,
-                               GradationTexts::options, SolveTexts::limit_options, SolveTexts::answer_options,
-                               ReadingTexts::options))},
+       without("digits", rows_of(ExportTexts::options, ExportTexts::particle_options,
+                                 ExportTexts::start_options, ExportTexts::model_options,
+                                 ExportTexts::size_options, rows_of_solving(), ReadingTexts::options))},
+      {"plot", without("digits", rows_of(PlotTexts::options, SoilTexts::options, rows_of_solving(),
+                                         ReadingTexts::options))},
       {"suite", without("shard", rows_of(SuiteTexts::options))}}; // lines with a step are a shard
   return table;
 }

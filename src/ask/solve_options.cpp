@@ -65,6 +65,10 @@ std::string kind_of(const SolveTexts &others) {
 
 std::string (*read_law_file)(const std::string &path) = plain_file;
 
+bool names_kind(std::string_view tolerance) {
+  return tolerance == "retained" || tolerance == "passing" || tolerance == "total";
+}
+
 const std::vector<OptionRow<GradationTexts>> GradationTexts::options = {
     {"law", "LAW", OptionKind::text,
      "mass of a particle of size x: sphere (x^3), power:a/b or power:2.5, sum:2*x^3+0.5*x^2 with x in mm, or "
@@ -267,7 +271,7 @@ Budget BudgetTexts::budget(const SolveTexts &others) const {
     throw InputError(option("particles") + ": it chooses one tolerance: give one " + option("tolerance") +
                      ", without a value");
   const std::string kind = kind_of(others);
-  if (kind != "retained" && kind != "passing" && kind != "total")
+  if (!names_kind(kind))
     throw InputError(option("tolerance") + ": " + in_quotes(kind) + ": " + option("particles") +
                      " chooses the value: write retained, passing or total");
   if (others.band || others.at_most)

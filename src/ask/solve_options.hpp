@@ -33,6 +33,9 @@ struct GradationTexts {
 /// The envelope that --band has.
 using ReadBand = std::function<Envelope(const std::string &band)>;
 
+/// True of a kind of tolerance without a value: retained, passing or total.
+bool names_kind(std::string_view tolerance);
+
 struct BudgetTexts;
 
 /// All options of solving, likewise.

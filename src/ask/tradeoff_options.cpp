@@ -61,6 +61,17 @@ const std::vector<OptionRow<TradeoffTexts>> TradeoffTexts::options = {
      "the steps of those tolerances in percentage points, and of those factors (0.001)",
      &TradeoffTexts::grid}};
 
+void TradeoffTexts::take_kind() {
+  if (!particles || solve.tolerances.size() != 1 || !names_kind(solve.tolerances.front()))
+    return;
+  const std::string named = solve.tolerances.front();
+  if (kind && kind != named)
+    throw InputError(option("kind") + ": " + option("tolerance") + " says " + named +
+                     ": leave one of them out");
+  kind = named;
+  solve.tolerances.clear();
+}
+
 TradeoffOptions TradeoffTexts::tradeoff_options() const {
   TradeoffOptions o;
   add_tolerances(*this, o);

@@ -21,6 +21,10 @@ struct TradeoffTexts {
   /// Those that solving does not have.
   static const std::vector<OptionRow<TradeoffTexts>> options;
 
+  /// Makes the kind that --tolerance names without a value beside --particles, as solve has it, that of
+  /// --kind.
+  /// \throws InputError if --kind is another
+  void take_kind();
   /// The deadline counts from this call. \throws InputError naming the option where its value does not serve
   TradeoffOptions tradeoff_options() const;
 };

@@ -4,6 +4,7 @@
 #include "cli/batch_solver.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
+#include "cli/interrupted.hpp"
 #include "cli/whole_number.hpp"
 #include "files/byte_source.hpp"
 #include "files/counted_files.hpp"
@@ -14,7 +15,6 @@
 #include "files/paths.hpp"
 #include "files/progress_line.hpp"
 #include "files/standard_streams.hpp"
-#include "number/counted.hpp"
 #include "text/versions.hpp"
 
 #include <mdm/text/error.hpp>
@@ -32,15 +32,11 @@ namespace {
 /// when Ctrl-C was pressed.
 std::vector<BatchAnswer> answers(const BatchSolver &solver, const std::vector<BatchItem> &items,
                                  unsigned threads) {
-  std::vector<std::optional<BatchAnswer>> found(items.size());
-  in_parallel(items.size(), threads, [&](std::size_t i) {
-    if (!Interrupt::was_pressed())
-      found[i] = solver.answer(items[i]);
-  });
-  std::vector<BatchAnswer> result;
-  for (std::size_t i = 0; i < found.size() && found[i]; ++i)
-    result.push_back(std::move(*found[i]));
-  return result;
+  std::vector<BatchAnswer> found;
+  in_order<BatchAnswer>(
+      items.size(), threads, [&](std::size_t i) { return solver.answer(items[i]); },
+      [&found](BatchAnswer &answer) { found.push_back(std::move(answer)); }, Interrupt::was_pressed);
+  return found;
 }
 
 /// What is written of one answer after the other.
@@ -216,9 +212,7 @@ int run(const BatchCommand &c) {
   out.commit();
   if (is_whole)
     return report.worst();
-  c.output.tell_notes(
-      {fmt::format("the run was interrupted: {} {} answered, the others were not asked",
-                   counted(report.lines(), "gradation"), report.lines() == 1 ? "is" : "are")});
+  c.output.tell_notes({interrupted_after(report.lines(), "gradation")});
   return worse_exit(report.worst(), Exit::limited);
 }
 

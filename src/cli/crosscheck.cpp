@@ -4,6 +4,7 @@
 #include "cli/commands.hpp"
 #include "cli/crosscheck_blends.hpp"
 #include "cli/help.hpp"
+#include "cli/interrupted.hpp"
 #include "cli/known_minima.hpp"
 #include "cli/option_tables.hpp"
 #include "cli/output_flags.hpp"
@@ -17,6 +18,7 @@
 #include "files/byte_source.hpp"
 #include "files/file_ending.hpp"
 #include "files/in_parallel.hpp"
+#include "files/interrupt.hpp"
 #include "files/output.hpp"
 #include "files/paths.hpp"
 #include "files/progress_line.hpp"
@@ -166,30 +168,36 @@ private:
   CrosscheckSummary summary_;
 };
 
-/// Judges all gradations of the suite.
-/// \param proofs null for none
-void report_suite(const CrosscheckCommand &c, const CrosscheckQuestion &question,
-                  const std::vector<SuiteLine> &suite, const Judge &judge, AnswerProofs *proofs,
-                  Report &report) {
+/// Judges the gradations of the suite up to the first that was not begun when Ctrl-C was pressed.
+/// \param proofs null for none \return how many were judged
+std::size_t report_suite(const CrosscheckCommand &c, const CrosscheckQuestion &question,
+                         const std::vector<SuiteLine> &suite, const Judge &judge, AnswerProofs *proofs,
+                         Report &report) {
   const std::optional<KnownMinima> minima = c.minimum ? std::optional<KnownMinima>(*c.minimum) : std::nullopt;
   std::atomic<std::size_t> done = 0;
   ProgressLine progress([&] { return fmt::format("{} of {} gradations", done.load(), suite.size()); },
                         c.output.quiet);
+  const ProgressCall go_on = [](const Progress &) { return !Interrupt::was_pressed(); };
   const auto judged = [&](std::size_t i) {
     const SuiteLine &of = suite[i];
     const auto problem = [&] {
       const Question asked = question.question(of.gradation);
       const std::optional<KnownMinimum> known = minima ? minima->of(of, asked) : std::nullopt;
-      return known ? Crosscheck::with_minimum(of.gradation, asked, *known) : question.problem(of.gradation);
+      return known ? Crosscheck::with_minimum(of.gradation, asked, *known)
+                   : question.problem(of.gradation, go_on);
     };
     return judge(question.is_plain() ? problem() : in_file(line_name(c.suite, of.line), problem), of);
   };
-  in_order<JudgedLine>(suite.size(), c.threads, judged, [&](const JudgedLine &of) {
+  std::optional<Interrupt> interrupt;
+  if (!c.solver) // which Ctrl-C ends on the spot: its journal has the answers
+    interrupt.emplace();
+  const auto give = [&](const JudgedLine &of) {
     report.add(of.rows);
     if (proofs)
       proofs->write(suite[done], of.proofs);
     ++done;
-  });
+  };
+  return in_order<JudgedLine>(suite.size(), c.threads, judged, give, Interrupt::was_pressed);
 }
 
 AnswerIndex read_index(const CrosscheckCommand &c) {
@@ -245,16 +253,22 @@ int run(const CrosscheckCommand &c) {
     certify(problem, answer, judged);
     return judged;
   };
+  std::size_t done = 0;
   const auto report_all = [&](const Judge &judge, Report &report) {
-    report_suite(c, question, suite, judge, proofs ? &*proofs : nullptr, report);
+    done = report_suite(c, question, suite, judge, proofs ? &*proofs : nullptr, report);
+    return done == suite.size();
   };
   const auto end = [&](Report &report, std::vector<std::string> notes) {
+    const bool is_whole = done == suite.size();
+    if (!is_whole)
+      notes.push_back(interrupted_after(done, "gradation"));
     if (proofs) {
       proofs->commit();
       notes.push_back(proofs->note(c.suite));
     }
-    report.end(suite.size(), notes);
-    return exit_code(report.outcome());
+    report.end(done, notes);
+    const int exit = exit_code(report.outcome());
+    return is_whole ? exit : worse_exit(exit, Exit::limited);
   };
   if (c.answers) {
     const AnswerIndex index = read_index(c);
@@ -265,7 +279,8 @@ int run(const CrosscheckCommand &c) {
                                 [&](const OtherAnswer &answer) { certify(problem, answer, judged); });
       return judged;
     };
-    report_all(judge, report);
+    if (!report_all(judge, report)) // which answers have no gradation is not known
+      return end(report, {});
     report.add(index.rows_without_id());
     return end(report, index.notes());
   }
@@ -331,7 +346,8 @@ std::string about() {
          "\n" +
          paragraph(
              "Exit code: 0 if every answer is a match (with --require-minimal: minimal), 1 if not, 2 if "
-             "a line of SUITE is bad (before anything is run), 3 if something is undecided.");
+             "a line of SUITE is bad (before anything is run), 3 if something is undecided. Ctrl-C ends the "
+             "judgement of answers with the rows so far (exit 3), and a run of a solver on the spot.");
 }
 
 } // namespace

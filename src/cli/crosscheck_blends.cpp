@@ -1,9 +1,12 @@
 #include "cli/crosscheck_blends.hpp"
 
 #include "cli/exit_code.hpp"
+#include "cli/interrupted.hpp"
 #include "crosscheck/blend_judge.hpp"
 #include "files/blend_lines.hpp"
+#include "files/child_process.hpp"
 #include "files/in_parallel.hpp"
+#include "files/interrupt.hpp"
 #include "files/output.hpp"
 #include "files/solver.hpp"
 #include "number/counted.hpp"
@@ -111,11 +114,18 @@ int crosscheck_blends(FileLines &lines, const CrosscheckBlends &c) {
       summary.add(row);
     }
   };
-  in_order<BlendRows>(
+  std::optional<Interrupt> interrupt;
+  if (c.solver)
+    kill_children_on_signals();
+  else
+    interrupt.emplace();
+  BlendOptions search;
+  search.go_on = [] { return !Interrupt::was_pressed(); };
+  const std::size_t done = in_order<BlendRows>(
       problems.size(), c.threads,
       [&](std::size_t i) {
         const BlendLine &line = problems[i];
-        const BlendAnswer best = in_file(line.where, [&] { return solve_blend(*line.problem); });
+        const BlendAnswer best = in_file(line.where, [&] { return solve_blend(*line.problem, search); });
         std::vector<OtherBlend> given;
         if (answers)
           given = answers->of(line.id);
@@ -128,9 +138,12 @@ int crosscheck_blends(FileLines &lines, const CrosscheckBlends &c) {
           judged.push_back(judge_blend(line.id, *line.problem, best, answer));
         return judged;
       },
-      add);
+      add, Interrupt::was_pressed);
+  const bool is_whole = done == problems.size();
   std::vector<std::string> notes;
-  if (answers) {
+  if (!is_whole)
+    notes.push_back(interrupted_after(done, "problem"));
+  else if (answers) {
     for (const OtherBlend &answer : answers->of(""))
       add({{"",
             AnswerVerdict::garbage,
@@ -142,12 +155,13 @@ int crosscheck_blends(FileLines &lines, const CrosscheckBlends &c) {
         notes.push_back("There is no problem " + in_quotes(id) + ", which has an answer.");
   }
   Output out(c.output.path());
-  out.write(c.output.report([&] { return text(shown_name(c.suite), problems.size(), summary, notes); },
+  out.write(c.output.report([&] { return text(shown_name(c.suite), done, summary, notes); },
                             [&] { return blend_rows_json(shown_name(c.suite), rows, summary, notes); },
                             [&] { return csv(rows); }));
   c.output.tell_notes_beside_csv(notes);
   out.commit();
-  return exit_of(summary, c.require_best);
+  const int exit = exit_of(summary, c.require_best);
+  return is_whole ? exit : worse_exit(exit, Exit::limited);
 }
 
 } // namespace mdm::cli

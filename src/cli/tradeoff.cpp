@@ -25,6 +25,9 @@
 namespace mdm::cli {
 namespace {
 
+constexpr auto without_effect =
+    "taken as solve takes it, without effect here: no sizes and no scale are shown";
+
 struct TradeoffCommand {
   std::string file;
   SolveFlags flags;
@@ -52,8 +55,9 @@ int run(const TradeoffCommand &c) {
   c.plot.check();
   TradeoffTexts texts = c.own;
   texts.solve = c.flags;
+  texts.take_kind();
   const TradeoffOptions o = texts.tradeoff_options();
-  const AskedQuestion asked = c.flags.question_of_both(band_in_file);
+  const AskedQuestion asked = texts.solve.question_of_both(band_in_file);
   refuse_sample(c.file);
   const Gradation g =
       read_gradation(read_file(c.file, max_gradation_bytes), shown_name(c.file), c.reading.reading());
@@ -85,18 +89,19 @@ Run add_tradeoff(CLI::App &app) {
   const OptionGroup group(command, "The answer");
   add_options(command, SolveTexts::answer_options, static_cast<SolveTexts &>(c->flags));
   for (const char *const name : {"--digits", "--scale"})
-    command.get_option(name)->description("taken as solve takes it, without effect here: no sizes are shown");
+    command.get_option(name)->description(without_effect);
   c->plot.add_to(command, "draw both");
   c->output.add_format(command);
   c->output.add_out(command, "write the tables");
+  c->output.add_verbose(command, without_effect);
   c->output.add_quiet(command, "no progress and no notes on standard error");
   c->reading.add_to(command);
   command.footer(footer(
       paragraph(
           "Each row is the smallest match for the whole question: --tolerance and --band hold in all rows, "
           "--tolerances besides them in those of the first table. With a specimen, or a volume of solids, "
-          "and "
-          "--particles a third table has the least size factors with which so many particles suffice."),
+          "and --particles a third table has the least size factors with which so many particles suffice. "
+          "Beside --particles, --tolerance passing without a value is --kind passing."),
       {"mdm tradeoff sand.csv", "mdm tradeoff sand.csv --kind passing --tolerances 0,0.5,1,2 --plot sand.svg",
        "mdm tradeoff sand.csv --particles all --plot sand.svg",
        "mdm tradeoff sand.csv --specimen cylinder:50x100 --void-ratio 0.6 --particles 2000,20000"}));

@@ -62,13 +62,17 @@ std::string other_class(const Gradation &g, const OtherAnswer &answer,
   return {};
 }
 
+std::string there_are_quantities(std::size_t n) {
+  return n == 1 ? "there is 1 quantity" : fmt::format("there are {} quantities", n);
+}
+
 } // namespace
 
 /// The gradation with its least match, and the judging.
 class Crosscheck::State {
 public:
-  State(Gradation g, Limits limits);
-  State(Gradation g, const Question &question, const Limits &limits);
+  State(Gradation g, Limits limits, const ProgressCall &progress);
+  State(Gradation g, const Question &question, const Limits &limits, const ProgressCall &progress);
   State(Gradation g, const Question &question, KnownMinimum known);
   const Gradation &gradation() const { return g_; }
   CrosscheckRow judge(const OtherAnswer &answer, const Rational &size_tolerance) const;
@@ -103,9 +107,9 @@ private:
   std::optional<Asked> asked_; ///< nothing: the plain question
 };
 
-Crosscheck::State::State(Gradation g, Limits limits) : g_(std::move(g)) {
+Crosscheck::State::State(Gradation g, Limits limits, const ProgressCall &progress) : g_(std::move(g)) {
   limits.keep_proof = false;
-  least_ = least_match(Problem(g_, MassLaw{}, 1), limits);
+  least_ = least_match(Problem(g_, MassLaw{}, 1), limits, Watch(limits.deadline, progress));
   for (std::size_t j = 0; j < g_.classes(); ++j)
     if (g_.mass(j) != 0)
       with_mass_.push_back(j);
@@ -116,7 +120,8 @@ Crosscheck::State::State(Gradation g, const Question &question, KnownMinimum kno
   asked_.emplace(Asked{CountsJudge(g_, question), std::move(known)});
 }
 
-Crosscheck::State::State(Gradation g, const Question &question, const Limits &limits)
+Crosscheck::State::State(Gradation g, const Question &question, const Limits &limits,
+                         const ProgressCall &progress)
     : g_(asked_gradation(std::move(g), question)) {
   Question rest = question; // what changes the gradation is made
   rest.pan_size.reset();
@@ -125,6 +130,7 @@ Crosscheck::State::State(Gradation g, const Question &question, const Limits &li
   SolveOptions options;
   options.limits = limits;
   options.limits.keep_proof = false;
+  options.progress = progress;
   CountsJudge judge(g_, question);
   const Match least = solve(g_, rest, options);
   asked_.emplace(Asked{
@@ -149,7 +155,7 @@ std::string Crosscheck::State::take(const OtherAnswer &answer, Particles &partic
   const std::vector<std::size_t> index = classes_of(g_, n);
   if (n != index.size()) {
     const std::string of_all = fmt::format("one for each of the {} classes", g_.classes());
-    return fmt::format("there are {} quantities: {}", n,
+    return fmt::format("{}: {}", there_are_quantities(n),
                        with_mass_.size() == g_.classes()
                            ? of_all + " is right"
                            : fmt::format("{} with mass, or {}, is right", with_mass_.size(), of_all));
@@ -337,7 +343,7 @@ std::string Crosscheck::State::spread_over_classes(const OtherAnswer &answer, st
   const std::size_t n = answer.quantities.size();
   const std::vector<std::size_t> index = classes_of(g_, n);
   if (n != index.size())
-    return fmt::format("there are {} quantities: one for each of the {} classes is right", n, g_.classes());
+    return fmt::format("{}: one for each of the {} classes is right", there_are_quantities(n), g_.classes());
   if (!answer.sizes.empty() && answer.sizes.size() != n)
     return fmt::format("there are {} sizes for {} quantities: write - for the size of a 0",
                        answer.sizes.size(), n);
@@ -372,11 +378,12 @@ void Crosscheck::State::compare_with_known(CrosscheckRow &row) const {
   }
 }
 
-Crosscheck::Crosscheck(Gradation g, const Limits &limits)
-    : state_(std::make_shared<const State>(std::move(g), limits)) {}
+Crosscheck::Crosscheck(Gradation g, const Limits &limits, const ProgressCall &progress)
+    : state_(std::make_shared<const State>(std::move(g), limits, progress)) {}
 
-Crosscheck::Crosscheck(Gradation g, const Question &question, const Limits &limits)
-    : state_(std::make_shared<const State>(std::move(g), question, limits)) {}
+Crosscheck::Crosscheck(Gradation g, const Question &question, const Limits &limits,
+                       const ProgressCall &progress)
+    : state_(std::make_shared<const State>(std::move(g), question, limits, progress)) {}
 
 Crosscheck Crosscheck::with_minimum(Gradation g, const Question &question, KnownMinimum known) {
   return Crosscheck(std::make_shared<const State>(std::move(g), question, std::move(known)));

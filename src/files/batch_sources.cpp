@@ -1,5 +1,6 @@
 #include "files/batch_sources.hpp"
 
+#include "files/file_ending.hpp"
 #include "files/paths.hpp"
 #include "gradation/material_gradation.hpp"
 #include "gradation/workbook.hpp"
@@ -41,14 +42,22 @@ std::optional<bool> begins_suite(std::string_view beginning, bool is_all) {
   if (!second.empty())
     return second.starts_with('{');
   if (is_all)
-    return first.empty() || first.starts_with('{');
+    return first.starts_with('{');
   return std::nullopt;
 }
 
-bool is_suite(FileLines &file) {
+/// True where an empty file is a suite without lines: its name does not say that it is a table.
+bool may_have_no_line(const std::string &name) {
+  const std::string ending = ending_of(name);
+  return ending.empty() || ending == "jsonl" || ending == "ndjson";
+}
+
+bool is_suite(FileLines &file, const std::string &name) {
   constexpr std::size_t longest_look = std::size_t{1} << 20;
   for (;;) {
     const std::string_view beginning = file.look_further();
+    if (file.is_at_end() && without_blank_lines(beginning).empty())
+      return may_have_no_line(name);
     if (const std::optional<bool> known = begins_suite(beginning, file.is_at_end()))
       return *known;
     if (beginning.size() > longest_look)
@@ -141,15 +150,16 @@ void BatchSources::open(const std::string &file) {
   auto content = std::make_unique<FileLines>(file);
   if (shard_)
     content->bytes().keep_digest();
-  if (is_stream_ || is_suite(*content)) {
+  if (is_stream_ || is_suite(*content, file)) {
     if (!asked_.empty())
       throw file_error(shown_name(file), asked_ + " is of gradation files, and this is JSON Lines, which "
                                                   "say what they hold: leave it out");
     suite_ = std::move(content);
     line_ = 0;
   } else if (only_suites_) {
-    throw file_error(shown_name(file),
-                     "no suite in JSON Lines: name one, or give " + option("proofs") + " a folder");
+    throw file_error(shown_name(file), "no suite in JSON Lines: name one, or " +
+                                           (shard_ ? "leave out " + option("shard")
+                                                   : "give " + option("proofs") + " a folder"));
   } else {
     add_gradations(shown_name(file), *content);
   }

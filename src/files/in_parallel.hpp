@@ -46,14 +46,18 @@ void in_parallel(std::size_t n, unsigned threads, const Work &work) {
     std::rethrow_exception(failure);
 }
 
-/// Calls give(make(0)), ..., give(make(n - 1)) in this order, one at a time, while several threads make them;
-/// throws what one of them threw, at the end.
-template <class Made, class Make, class Give>
-void in_order(std::size_t n, unsigned threads, const Make &make, const Give &give) {
+/// Calls give(make(0)), ..., give(make(n - 1)) in this order, one at a time, while several threads make them,
+/// up to the first that was not begun as is_enough() held; throws what one of them threw, at the end.
+/// \return how many were given
+template <class Made, class Make, class Give, class IsEnough>
+std::size_t in_order(std::size_t n, unsigned threads, const Make &make, const Give &give,
+                     const IsEnough &is_enough) {
   std::mutex mutex;
   std::map<std::size_t, Made> waiting; // for what comes before them
   std::size_t given = 0;
   in_parallel(n, threads, [&](std::size_t i) {
+    if (is_enough())
+      return;
     Made made = make(i);
     const std::lock_guard lock(mutex);
     waiting.emplace(i, std::move(made));
@@ -61,6 +65,7 @@ void in_order(std::size_t n, unsigned threads, const Make &make, const Give &giv
          next = waiting.erase(next), ++given)
       give(next->second);
   });
+  return given;
 }
 
 } // namespace mdm

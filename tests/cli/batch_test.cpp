@@ -144,6 +144,23 @@ TEST_CASE("empty input has an empty answer", "[cli]") {
   }
 }
 
+TEST_CASE("an empty file is a suite of none only where its name is not that of a table", "[cli]") {
+  const TemporaryFolder folder;
+  for (const char *name : {"a.jsonl", "a.ndjson", "a"})
+    for (const char *text : {"", " \n\n"}) {
+      const Outcome outcome = mdm({"batch", folder.write(name, text)});
+      INFO(name << outcome.err);
+      CHECK(outcome.exit_code == 0);
+      CHECK(outcome.out.empty());
+    }
+  for (const char *name : {"a.csv", "a.json", "a.txt", "a.ags"}) {
+    const Outcome outcome = mdm({"batch", folder.write(name, "\n"), folder.write("b.jsonl", good)});
+    CHECK(outcome.exit_code == 2);
+    CHECK(Json::parse(outcome.out.substr(0, outcome.out.find('\n'))).at("status") == "error");
+    CHECK(std::count(outcome.out.begin(), outcome.out.end(), '\n') == 2);
+  }
+}
+
 TEST_CASE("line ends: none at the end, CRLF, blank lines", "[cli]") {
   const std::string answer = mdm({"batch"}, good + "\n").out;
   CHECK(mdm({"batch"}, good).out == answer);

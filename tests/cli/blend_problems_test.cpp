@@ -66,6 +66,23 @@ TEST_CASE("answers to problems go to a file of JSON Lines", "[blend]") {
   check_refused(mdm({"blend", "--problems", problems, "-o", folder / "answers.csv"}), "JSON Lines");
 }
 
+TEST_CASE("Ctrl-C ends problems of blends with the answers so far", "[blend]") {
+  const TemporaryFolder folder;
+  const std::string steps = R"("steps":"1000000000","aim")",
+                    problems = folder.write("p.jsonl", none + "\n" + replaced(cheap, R"("aim")", steps) +
+                                                           "\n" + none + "\n");
+  Process run(MDM_PROGRAM,
+              {"blend", "--problems", problems, "--all", "1000000", "--node-limit", "1000000000"});
+  std::this_thread::sleep_for(std::chrono::seconds(1)); // it is searching by now
+  run.signal(SIGINT);
+  const Outcome outcome = run.end();
+  CHECK(outcome.exit_code == 3);
+  const std::vector<std::string> answers = lines_of(outcome.out);
+  REQUIRE(answers.size() == 2);
+  CHECK(contains(answers[1], "the search was interrupted"));
+  CHECK(outcome.err == "note: the run was interrupted after 2 problems: the others are left out\n");
+}
+
 TEST_CASE("a cost that is missing is none, where the least cost is asked for", "[blend]") {
   const std::string problem =
       R"({"stockpiles":[{"name":"A","passing":["50","100"],"cost":"1"},{"name":"B","passing":["10","100"]}],)"

@@ -250,9 +250,25 @@ TEST_CASE("Ctrl-C ends a batch with the answers so far and what is certain of th
     CHECK(answers[0].find("\"status\":\"optimal\"") != std::string::npos);
     CHECK(answers[1].find("the search was interrupted") != std::string::npos);
     CHECK(answers[1].find("\"lower_bound\"") != std::string::npos);
-    CHECK(outcome.err.find("interrupted: 2 gradations are answered, the others were not asked") !=
+    CHECK(outcome.err.find("the run was interrupted after 2 gradations: the others are left out") !=
           std::string::npos);
   }
+}
+
+TEST_CASE("Ctrl-C ends the judgement of answers with the rows so far", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string hard = folder.write("many.csv", uneven_csv()), json = folder / "many.json";
+  REQUIRE(mdm({"convert", hard, "-o", json}).exit_code == 0);
+  const std::string easy = R"({"id":"easy","unit":"mm","sizes":["0.5","1","2"],"masses":["3","7","0"]})";
+  const std::string suite = folder.write("suite.jsonl", easy + "\n" + read_file(json) + easy + "\n"),
+                    answers = folder.write("answers.csv", "id,quantities\neasy,1 1\nmany,1\nother,1\n");
+  Process run(MDM_PROGRAM, {"crosscheck", suite, answers, "--tolerance", "total:0.2%", "--format", "csv"});
+  std::this_thread::sleep_for(std::chrono::seconds(3)); // it is searching by now
+  run.signal(SIGINT);
+  const Outcome outcome = run.end();
+  CHECK(outcome.exit_code == 3);
+  CHECK(lines_of(outcome.out).size() == 3); // with the header
+  CHECK(outcome.err == "note: the run was interrupted after 2 gradations: the others are left out\n");
 }
 
 TEST_CASE("an output without a name, and the gradation beside a proof that is no file", "[cli]") {

@@ -47,7 +47,7 @@ TEST_CASE("all commands that solve take the options of solving", "[cli]") {
       "--grid",       "--specimen",    "--void-ratio",    "--law",      "--cut-below", "--solids-volume",
       "--pan-size",   "--size-factor", "--digits",        "--scale",    "--max-steps", "--node-limit",
       "--time-limit", "--gap",         "--columns",       "--kind",     "--unit",      "--skip",
-      "--sheet",      "--round"};
+      "--sheet",      "--round",       "--verbose"};
   for (const char *const command : {"solve", "batch", "export", "tradeoff", "plot"}) {
     const std::string help = mdm({command, "--help"}).out;
     for (const char *const option : options) {

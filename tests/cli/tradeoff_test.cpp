@@ -82,6 +82,16 @@ TEST_CASE("the trade-off over the whole range has the least tolerance of every b
   const Json solved = solve_json({sand, "--particles", "100"});
   CHECK(rational(hundred.at("tolerance")) == rational(solved.at("budget").at("tolerance")));
   CHECK(hundred.at("particles") == solved.at("particles"));
+  const Arguments budget = {sand, "--particles", "100"};
+  const auto beside = [&budget](Arguments options) {
+    options.insert(options.begin(), budget.begin(), budget.end());
+    return options;
+  };
+  CHECK(json(beside({"--tolerance", "passing"})) == json(beside({"--kind", "passing"})));
+  CHECK(json(beside({"--tolerance", "passing"})) != json(budget));
+  CHECK(json(beside({"--verbose"})) == json(budget));
+  CHECK(contains(tradeoff(beside({"--tolerance", "passing", "--kind", "total"})).err,
+                 "--kind: --tolerance says passing: leave one of them out"));
   CHECK(contains(tradeoff({sand, "--grid", "1"}).err, "--grid: it is of --particles"));
   CHECK(contains(tradeoff({sand, "--particles", "5", "--tolerance", "1%"}).err, "--particles: it chooses"));
   CHECK(contains(tradeoff({sand, "--particles", "1,x"}).err, "'x' is not a whole number"));

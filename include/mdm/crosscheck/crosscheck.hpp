@@ -39,12 +39,12 @@ struct KnownMinimum {
 class Crosscheck {
 public:
   /// Of exact matches of spheres.
-  /// \param limits of the search for the least match
+  /// \param limits of the search for the least match \param progress as SolveOptions::progress
   /// \throws InputError if numbers get out of hand
-  explicit Crosscheck(Gradation g, const Limits &limits = {});
+  explicit Crosscheck(Gradation g, const Limits &limits = {}, const ProgressCall &progress = {});
   /// Of any question.
   /// \throws InputError likewise, or if the law is irrational at an opening
-  Crosscheck(Gradation g, const Question &question, const Limits &limits);
+  Crosscheck(Gradation g, const Question &question, const Limits &limits, const ProgressCall &progress = {});
   /// Of any question about whose least match so much is known: nothing is searched for.
   /// \throws InputError likewise
   static Crosscheck with_minimum(Gradation g, const Question &question, KnownMinimum known);
