@@ -400,7 +400,7 @@ Run add_crosscheck(CLI::App &app) {
       ->type_name("NAME");
   add_options(command, CrosscheckTexts::limit_options, c->asked);
   add_asked_options(command, c->asked);
-  c->output.add_format(command, "text (the summary), csv (the rows) or json (both)");
+  c->output.add_format(command, "text (the summary), csv (the rows) or json (both); json if OUT ends so");
   c->output.out_has_report = false; // with text, it has the rows
   c->output.add_out(command, "write csv or json")
       ->description("write csv or json to OUT instead of standard output; with text, the rows as CSV");
@@ -413,7 +413,11 @@ Run add_crosscheck(CLI::App &app) {
                 "mdm crosscheck suite.jsonl answers.csv --proofs answers.proofs",
                 "mdm crosscheck sand.csv --solution glpk.sol --tolerance retained:1%",
                 "mdm crosscheck suite.jsonl --solver './my-solver --json' --journal run.jsonl"}));
-  return [c] { return run(*c); };
+  return [c] {
+    if (!c->output.asked_format && ending_of(c->output.path()) == "json")
+      c->output.asked_format = "json";
+    return run(*c);
+  };
 }
 
 } // namespace mdm::cli

@@ -211,10 +211,21 @@ private:
         fmt::format("{} is {}; it belongs to no sieve.", in_quotes(where.label), shown(loss.value)));
   }
 
-  /// A mass that is more than all rows together may be the sample before something was lost.
+  /// A mass that is more than all rows together may be the sample before something was lost; any mass may be
+  /// what passes the finest sieve, where no row says that.
   void check_uncompared(std::size_t c) const {
     const std::optional<PrintedNumber> whole = column(c).whole();
-    if (!whole || stated_.initial)
+    if (stated_.initial)
+      return;
+    for (const StatedMass &stated : stated_.uncompared)
+      if (!column(c).below && compared_.deciding == c && stated.mass.value != 0)
+        source_.refuse(
+            stated.line,
+            fmt::format(
+                "{} may pass the finest sieve, and the table has no row of the pan: write it as a row "
+                "'Pan' or 'Wash loss' if it does, else the row 'Pan' with what does, or 0",
+                in_quotes(stated.label)));
+    if (!whole)
       return;
     for (const StatedMass &stated : stated_.uncompared)
       if (const PrintedNumber mass = *in_unit_of(column(c), stated);
@@ -261,8 +272,21 @@ private:
                          quoted(compared_.deciding), option("kind"));
     return fmt::format(
         "write the row 'pan' with {} if that passes the finest sieve, or take them as they are "
-        "with {} retained_percent",
-        shown(Rational(100 - sum.value)), option("kind"));
+        "with {} retained_percent{}",
+        shown(Rational(100 - sum.value)), option("kind"),
+        rise() ? ", or say " + option("kind") + " cumulative if each has what coarser sieves retain" : "");
+  }
+
+  /// True where the deciding column's numbers never fall from the coarsest sieve on, as sums do.
+  bool rise() const {
+    std::optional<Rational> last;
+    for (const std::optional<PrintedNumber> &number : deciding().sieves) {
+      if (number && last && number->value < *last)
+        return false;
+      if (number)
+        last = number->value;
+    }
+    return true;
   }
 
   /// Percent that pass must have the wash loss.

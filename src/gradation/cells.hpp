@@ -46,8 +46,9 @@ struct Cells {
   std::string format;    ///< as reports name it
   char delimiter = '\0'; ///< of text; none in a workbook
   std::vector<CellRow> rows;
-  std::string hint;       ///< what else may be done where the table is not understood
-  std::string sheet = {}; ///< of a workbook of several, the name of the one that was read
+  std::string hint;                   ///< what else may be done where the table is not understood
+  std::string sheet = {};             ///< of a workbook of several, the name of the one that was read
+  std::vector<CellRow> comments = {}; ///< of text: the lines that begin with #, without that
 };
 
 /// Text cut at tabs, semicolons or commas. Empty rows and comments are left out, as in the canonical CSV.

@@ -75,6 +75,11 @@ ColumnUnit unit_of(const std::vector<std::string> &words) {
   return words.size() == 1 ? unit_of_word(words[0]) : ColumnUnit::none;
 }
 
+/// `?m`, `_m`, ` m`: what is left of micrometres where the first letter was lost.
+bool may_lack_micro(std::string_view unit) {
+  return unit.size() > 1 && unit.back() == 'm' && words_of(unit) == std::vector<std::string>{"m"};
+}
+
 /// The header without what stands in the last brackets, if that is a unit.
 ColumnUnit take_bracketed_unit(std::string &header) {
   constexpr std::array<std::string_view, 3> brackets = {"()", "[]", "{}"};
@@ -83,11 +88,13 @@ ColumnUnit take_bracketed_unit(std::string &header) {
     const std::size_t close = open == std::string::npos ? open : header.find(pair[1], open);
     if (close == std::string::npos)
       continue;
-    const ColumnUnit unit = unit_of_words(std::string_view(header).substr(open + 1, close - open - 1));
+    const std::string_view content = std::string_view(header).substr(open + 1, close - open - 1);
+    const ColumnUnit unit = unit_of_words(content);
     if (unit == ColumnUnit::none)
       continue;
+    const bool is_cut = may_lack_micro(content);
     header.erase(open, close + 1 - open);
-    return unit;
+    return is_cut ? ColumnUnit::none : unit;
   }
   return ColumnUnit::none;
 }

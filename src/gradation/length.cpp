@@ -2,6 +2,7 @@
 
 #include "gradation/shown.hpp"
 #include "number/typed_number.hpp"
+#include "text/lines.hpp"
 
 #include <mdm/number/decimal.hpp>
 #include <mdm/text/error.hpp>
@@ -59,7 +60,7 @@ std::vector<Length> parse_lengths(std::string_view text) {
   std::vector<Length> lengths;
   for (;;) {
     const std::size_t end = text.find('x');
-    lengths.push_back(parse_length(text.substr(0, end)));
+    lengths.push_back(parse_length(trimmed(text.substr(0, end)))); // `5 mm x 10 mm`
     if (end == std::string_view::npos)
       return lengths;
     text.remove_prefix(end + 1);

@@ -52,16 +52,32 @@ bool is_numbered(std::string_view cell) {
          words.find("mesh") != std::string::npos;
 }
 
+/// True for a header of ASTM's sieves.
+bool names_astm(std::string_view header) {
+  return has_any_word("us usa astm e11", words_of(header)) || has_two_words("u", "s", words_of(header));
+}
+
 /// True for a header that speaks of sieves whose numbers are others than those of ASTM.
 bool names_other_series(std::string_view header) {
   return has_any_word("bs british is indian nf afnor tyler din", words_of(header));
 }
 
-/// The same of a line above the table: `Tyler standard screen scale`.
-bool tells_other_series(std::string_view line) {
-  const std::vector<std::string> words = words_of(line);
-  return has_any_word("bs british indian nf afnor tyler din", words) &&
-         has_any_word("sieve sieves mesh screen screens scale series tamis", words);
+/// The same of sieves in a text beside the table: `Tyler standard screen scale`, `B.S. sieves`.
+bool tells_other_sieves(const std::vector<std::string> &words) {
+  return (has_any_word("bs british indian nf afnor tyler din bss imm", words) ||
+          has_two_words("b", "s", words) || has_two_words("i", "m", words)) &&
+         has_any_word("sieve sieves mesh screen screens scale series sieving tamis siebe siebsatz tamices",
+                      words);
+}
+
+/// A series, or a standard that has one, in such a text: `Tyler`, `BS 1377`.
+bool tells_other_series(const std::vector<std::string> &words) {
+  const auto is_standard_of_bs = [](const std::string &word) {
+    return word.size() > 2 && word.starts_with("bs") && is_digit(word[2]);
+  };
+  return has_any_word("tyler bss imm", words) || words == std::vector<std::string>{"bs"} ||
+         has_two_words("bs", "410 812 1377 1796", words) ||
+         std::any_of(words.begin(), words.end(), is_standard_of_bs);
 }
 
 /// `3/4`, `1-1/2`.
@@ -102,15 +118,34 @@ void check_unit_break(const std::vector<Rational> &sizes, const std::vector<std:
 RowSizes::RowSizes(const Cells &cells, const TableColumns &columns, const Reading &reading,
                    const TableSign &sign)
     : columns_(columns), reading_(reading), sign_(sign), unit_(table_unit(columns.sizes.unit)) {
-  for (std::size_t i = 0; i < columns.above; ++i)
-    for (const std::string &cell : cells.rows[i].cells)
-      if (tells_other_series(cell))
-        series_ = cell;
+  if (!names_astm(columns.size_name))
+    find_series(cells);
   if (columns.sizes.unit == ColumnUnit::inch)
     for (std::size_t i = columns.first_row; i < cells.rows.size(); ++i) {
       const std::string_view cell = cells.rows[i].cell(columns.size);
       names_inches_ |= is_fraction(cell) || is_numbered(cell);
     }
+}
+
+/// Comments, lines above the table, and words below its header may tell it.
+void RowSizes::find_series(const Cells &cells) {
+  const auto look = [this](const CellRow &row, bool has_sizes) {
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      const std::string &cell = row.cells[i];
+      if (has_sizes && i == columns_.size && is_numbered(cell) && has_digit(cell))
+        continue;
+      const std::vector<std::string> words = words_of(cell);
+      const bool is_of_sieves = tells_other_sieves(words);
+      if (is_of_sieves || (!is_of_sieves_ && tells_other_series(words)))
+        series_ = cell;
+      is_of_sieves_ |= is_of_sieves;
+    }
+  };
+  for (const CellRow &comment : cells.comments)
+    look(comment, false);
+  for (std::size_t i = 0; i < cells.rows.size(); ++i)
+    if (i < columns_.above || i >= columns_.first_row)
+      look(cells.rows[i], i >= columns_.first_row);
 }
 
 std::string RowSizes::file_unit() const {
@@ -203,7 +238,9 @@ Rational RowSizes::size_of(std::string_view cell, ColumnUnit unit) const {
   try {
     return opening(cell);
   } catch (const InputError &error) {
-    throw InputError(fmt::format("{}, or leave the row out", error.what()));
+    throw InputError(
+        fmt::format("{}, or {}", error.what(),
+                    has_digit(cell) ? "leave the row out" : "Pan for what passed the finest sieve"));
   }
 }
 
@@ -250,9 +287,9 @@ std::optional<Rational> RowSizes::other_size(std::string_view cell, ColumnUnit u
   try {
     const std::optional<std::string_view> digits = plain_digits(cell);
     if (!digits)
-      return opening(cell);
+      return other_opening(cell);
     if (unit == ColumnUnit::none && cell != std::to_string(rows_ + 1)) // which counts the rows
-      return opening("No. " + std::string(*digits));
+      return other_opening("No. " + std::string(*digits));
     if (unit == ColumnUnit::phi)
       return phi_size(sign_.decimal(*digits)) / in_mm(unit_);
     if (is_of_sizes(unit))
@@ -271,14 +308,20 @@ bool RowSizes::is_sieve(std::string_view cell) const {
   }
 }
 
-/// The opening of a sieve by its name.
+/// The opening of a sieve by its name; a number that stands with its opening must be the one of ASTM.
 Rational RowSizes::opening(std::string_view cell) const {
   const std::string &series = names_other_series(columns_.size_name) ? columns_.size_name : series_;
-  if (is_numbered(cell) && !series.empty())
+  if (is_numbered(cell) && !series.empty() && !has_any_word("mm um micron microns", words_of(cell)))
     throw InputError(fmt::format("{} below {} is not a sieve of ASTM, whose numbers are known: write its "
                                  "opening with its unit",
                                  in_quotes(cell), in_quotes(series)));
   return spelled_sieve_opening(cell, sign_.in(cell)) / in_mm(unit_);
+}
+
+/// The same of a sieve beside the size: a standard's number above says nothing of it.
+Rational RowSizes::other_opening(std::string_view cell) const {
+  const bool is_known = is_of_sieves_ || names_other_series(columns_.size_name);
+  return is_known ? opening(cell) : spelled_sieve_opening(cell, sign_.in(cell)) / in_mm(unit_);
 }
 
 /// So many of a unit of length.

@@ -35,6 +35,7 @@ public:
   void settle(Table &table, bool are_retained, const Source &source) const;
 
 private:
+  void find_series(const Cells &cells);
   Rational row_size(std::string_view cell);
   Rational size_of(std::string_view cell, ColumnUnit unit) const;
   Rational plain_size(std::string_view digits) const;
@@ -42,13 +43,15 @@ private:
   std::optional<Rational> other_size(std::string_view cell, ColumnUnit unit) const;
   bool is_sieve(std::string_view cell) const;
   Rational opening(std::string_view cell) const;
+  Rational other_opening(std::string_view cell) const;
   Rational in_unit(std::string_view digits, ColumnUnit unit) const;
 
   const TableColumns &columns_;
   const Reading &reading_;
   TableSign sign_;
   SizeUnit unit_;
-  std::string series_; ///< the line above the table that names other sieves than those of ASTM; mostly empty
+  std::string series_;        ///< what beside the table names other sieves than those of ASTM; mostly empty
+  bool is_of_sieves_ = false; ///< and says that the sieves are these
   std::size_t rows_ = 0;
   struct Above {
     std::size_t row;

@@ -76,10 +76,13 @@ constexpr std::string_view splitting =
     "subsampled riffle riffled riffling riffler quartered "
     "quartering "
     "reduced reduction geviertelt viertelung teilprobe teilproben probenteilung probeteilung geteilt "
-    "riffelteiler quartage quarte "
+    "riffelteiler quartage quarte scaling feinsiebung prelevement preleve prelevee "
     "reduit reduite reduits cuarteo cuarteado cuarteada submuestra reducida reducido quartatura "
     "sottocampione "
     "ridotto ridotta";
+constexpr std::string_view factor =
+    "factor faktor umrechnungsfaktor facteur fattore coefficient koeffizient coeff multiplier multiplikator";
+constexpr std::string_view beside_factor = "correction korrektur conversion scale f k x of the";
 /// Words of what tells samples apart, and those that may stand beside them.
 constexpr std::string_view telling =
     "sample samples specimen specimens probe proben borehole boring bohrung bore hole bh sondage station "
@@ -134,15 +137,19 @@ public:
     return false;
   }
 
-  /// `Fine fraction sieved`, `10 % of minus 1 mm tested`.
+  /// `Fine fraction sieved`, `10 % of minus 1 mm tested`, `Sample for fine sieving`.
   bool have_part_sieved() const {
     return have("fraction fractions fraccion portion minus fine fines finos fins") &&
-           have("sieved tested taken ensayada ensayado essayee tamisee");
+           have("sieved sieving tested taken representative ensayada ensayado essayee tamisee");
   }
-  /// `Fine factor`, `Ratio total/sieved`, `Factor = 8`.
+  /// `Fine factor`, `Ratio total/sieved`, `Factor = 8`, `Correction factor: 5.8`.
   bool have_factor_of_part() const {
-    constexpr std::string_view factor = "factor faktor facteur fattore";
-    if (all_.size() == 2 && has_word(factor, all_[0]) && is_digit(all_[1].front()))
+    const auto is_beside = [](const std::string &word) {
+      return has_word(factor, word) || has_word(beside_factor, word) || is_digit(word.front());
+    };
+    const bool has_number =
+        std::any_of(all_.begin(), all_.end(), [](const std::string &word) { return is_digit(word.front()); });
+    if (has_number && have(factor) && std::all_of(all_.begin(), all_.end(), is_beside))
       return true;
     return (have(factor) || have("ratio multiplier")) &&
            have("fine fines sieved fein fins finos portion fraction corrected");
@@ -337,7 +344,8 @@ bool may_be_fines(std::string_view text) {
   return row_vocabulary::Words(text).have("rest remainder residue fines dust staub poussiere polvo polvere "
                                           "p200 p075 p063 filler unterkorn durchgang feinanteil feinanteile "
                                           "feinanteilen feinanteils feinteil feinteile feinteilen feinkorn "
-                                          "fein schluff ton silt clay finos fins reste resto restos");
+                                          "fein schluff ton silt clay finos fins reste resto restos mud "
+                                          "colloid colloids feinstes schlamm lama vase slib suspension");
 }
 
 bool speaks_of_retaining(std::string_view text) {

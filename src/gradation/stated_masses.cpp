@@ -134,7 +134,8 @@ private:
       masses_.fines_percent.push_back({s.label, s.line, false, number.number});
     if (s.grams != 0 || speaks_of_mass(s.label))
       masses_.left.add(s.label);
-    if (s.grams != 0 && !speaks_of_moisture_or_container(s.label))
+    if ((s.grams != 0 || (may_be_fines(s.label) && !s.is_percent)) &&
+        !speaks_of_moisture_or_container(s.label))
       masses_.uncompared.push_back(in_grams(number));
   }
   /// Numbers of standards, dates and times stand beside words of washing too.

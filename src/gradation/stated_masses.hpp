@@ -25,7 +25,8 @@ struct StatedMasses {
   std::optional<StatedMass> wash_percent, sieve_loss_percent;
   std::vector<StatedMass> fines_percent; ///< what is said to be fine
   ShortList left;                        ///< masses that nothing is compared with ...
-  std::vector<StatedMass> uncompared;    ///< ... those of them with a unit, but for moist ones and containers
+  std::vector<StatedMass> uncompared; ///< ... those of them with a unit, or of fines, but for moist ones and
+                                      ///< containers
 };
 
 /// Understands what stands beside a table.

@@ -8,8 +8,17 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace mdm {
 namespace {
+
+/// True for a mass of a part that is not what passes the finest sieve.
+bool is_of_other_part(const StatedNumber &stated, const AccountColumn &masses) {
+  const MassStatement &s = stated.statement;
+  return s.meaning == RowMeaning::none && s.grams != 0 && speaks_of_part(s.label) &&
+         !(masses.below && agree(*masses.below, stated.number * ratio(s.grams, std::max(masses.grams, 1U))));
+}
 
 /// Words of a split beside a number are harmless only where all else adds up.
 void check_words_of_splitting(const OrderedAccounts &accounts, const std::vector<StatedNumber> &stated,
@@ -17,7 +26,9 @@ void check_words_of_splitting(const OrderedAccounts &accounts, const std::vector
   if (accounts.columns[compared.deciding].is_share() || accounts.stated.initial || compared.some_agree)
     return;
   for (const StatedNumber &number : stated)
-    if (const MassStatement &s = number.statement; speaks_of_splitting(s.label + " " + s.digits))
+    if (const MassStatement &s = number.statement;
+        speaks_of_splitting(s.label + " " + s.digits) ||
+        is_of_other_part(number, accounts.columns[compared.deciding]))
       source.refuse(s.line,
                     fmt::format("{} may be of a part of the sample: {}", in_quotes(s.label), split_remedy()));
 }

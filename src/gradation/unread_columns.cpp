@@ -1,7 +1,9 @@
 #include "gradation/unread_columns.hpp"
 
 #include "gradation/column_words.hpp"
+#include "gradation/limit_columns.hpp"
 #include "gradation/plain_words.hpp"
+#include "gradation/row_words.hpp"
 #include "text/option_name.hpp"
 
 #include <fmt/core.h>
@@ -15,7 +17,7 @@ namespace {
 constexpr std::string_view of_values =
     "mass masses masse massen weight weights wt gewicht gewichte peso pesos poids masa masas massa "
     "retained retd passing passante passant finer coarser corr adj norm recalc korr normalized normalised "
-    "recalculated weighted "
+    "recalculated weighted average avg mean mittel mittelwert moyenne media duplicate repeat trial "
     "washed corrected adjusted combined overall net netto total totals totale totali totales sum summe "
     "somme suma somma gesamt korrigiert korrigierte corrige corrigee corregido corregida corretto corretta";
 /// Words beside these that leave a column one of the sample's masses; any other may be of a target, a tare,
@@ -27,6 +29,19 @@ constexpr std::string_view beside_values =
 /// The same beside percent; a mass may be that of a sieve.
 constexpr std::string_view beside_percent =
     "sieve sieves size n p actual reported rounded indiv individual differential frequency 1 2 3";
+/// Words of percent that are of no mass of a row: of a specification, of errors, and of an assay.
+constexpr std::string_view of_other_percent =
+    "spec specification specified target required requirement envelope limit limits grading soll sollwert "
+    "jmf "
+    "design error errors deviation std stdev sd rsd cv difference diff delta uncertainty repeatability "
+    "recovery tolerance fehler abweichung differenz toleranz ecart tolerancia scarto error desviacion "
+    "assay grade ash loi organic carbonate caco3 fe cu zn pb ag au ni mn ti sio2 al2o3 fe2o3 cao mgo tio2 "
+    "p2o5 "
+    "s c";
+constexpr std::string_view of_changes =
+    "factor faktor facteur fattore multiplier scale scaling ratio teilung x coefficient koeffizient "
+    "weighting "
+    "dilution moisture water wasser wassergehalt feuchte w wc mc solids eau agua humedad acqua umidita";
 
 /// What the numbers of such a column may be.
 constexpr std::array readings = {ColumnMeaning::retained, ColumnMeaning::cumulative, ColumnMeaning::passing};
@@ -51,6 +66,56 @@ bool may_be(ColumnMeaning meaning, const AccountColumn &unread) {
   return std::is_sorted(numbers.begin(), numbers.end());
 }
 
+/// True where the deciding masses are the difference of two columns, row by row.
+bool is_weighed_pair(const AccountColumn &values, const AccountColumn &full, const AccountColumn &empty) {
+  if (!values.is_retained() || values.is_share())
+    return false;
+  for (std::size_t i = 0; i < values.sieves.size(); ++i) {
+    const std::optional<PrintedNumber> &net = values.sieves[i], &gross = full.sieves[i],
+                                       &tare = empty.sieves[i];
+    if (net && (!gross || !tare || !agree(*net, *gross - *tare)))
+      return false;
+  }
+  return true;
+}
+
+/// True where a column has the deciding masses with the mass of one container.
+bool is_with_one_tare(const AccountColumn &values, const AccountColumn &full) {
+  if (!values.is_retained() || values.is_share())
+    return false;
+  Rational least = 0;
+  std::optional<Rational> most;
+  for (std::size_t i = 0; i < values.sieves.size(); ++i) {
+    const std::optional<PrintedNumber> &net = values.sieves[i], &gross = full.sieves[i];
+    if (!net || !gross)
+      return false;
+    const Interval tare = (*gross - *net).range();
+    least = std::max(least, tare.lo);
+    most = most ? std::min(*most, tare.hi) : tare.hi;
+  }
+  return most && least > 0 && least <= *most;
+}
+
+/// True for one of two columns whose difference the deciding masses are.
+bool is_of_weighed_pair(const AccountColumn &values, const AccountColumn &unread,
+                        const std::vector<AccountColumn> &others) {
+  return std::any_of(others.begin(), others.end(), [&](const AccountColumn &other) {
+    return &other != &unread &&
+           (is_weighed_pair(values, unread, other) || is_weighed_pair(values, other, unread));
+  });
+}
+
+/// True where the column has what stays below each size, as instruments write the shares of their channels
+/// beside what passes.
+bool is_of_classes_below(const AccountColumn &values, AccountColumn unread) {
+  if (values.meaning.meaning != ColumnMeaning::passing || !unread.sieves.back())
+    return false;
+  unread.sieves.insert(unread.sieves.begin(), PrintedNumber{0, 0});
+  unread.sieves.pop_back();
+  unread.meaning.meaning = ColumnMeaning::retained;
+  return unread.is_share() && !compare(values, unread).disagreement;
+}
+
 /// The first meaning with which the column agrees; nothing where there is none.
 std::optional<ColumnMeaning> meaning_of(const AccountColumn &values, AccountColumn unread,
                                         const AllowedLoss &loss) {
@@ -66,18 +131,36 @@ std::optional<ColumnMeaning> meaning_of(const AccountColumn &values, AccountColu
 }
 
 /// True where shares of that meaning say that something passes the finest sieve.
-bool have_rest(const AccountColumn &shares, ColumnMeaning meaning) {
+bool have_rest(const AccountColumn &shares, ColumnMeaning meaning, const AllowedLoss &loss) {
   const std::optional<PrintedNumber> &last = shares.sieves.back();
   if (!shares.is_share() || !last)
     return false;
+  if (meaning == ColumnMeaning::retained) {
+    const std::optional<PrintedNumber> sum = shares.retained();
+    return sum && sum->value < 100 && !loss.explains(*sum, {100, 0}, 100);
+  }
   return (meaning == ColumnMeaning::passing && last->range().lo > 0) ||
          (meaning == ColumnMeaning::cumulative && last->range().hi < 100);
 }
 
+/// True for a header with a unit of mass or percent that nothing says to be of another thing, or of a tare.
+bool names_amount(std::string_view header, const std::vector<std::string> &words) {
+  const ColumnUnit unit = unit_in_header(header);
+  const bool is_mass = unit == ColumnUnit::mass || row_words(header).meaning == RowMeaning::container;
+  return (is_mass || (unit == ColumnUnit::percent && !has_any_word(of_other_percent, words))) &&
+         !is_limit(header) && !changes_masses(header);
+}
+
 } // namespace
+
+bool changes_masses(std::string_view header) {
+  return has_any_word(of_changes, words_of(header));
+}
 
 bool may_hold_values(std::string_view header) {
   const std::vector<std::string> words = words_of(header);
+  if (names_amount(header, words))
+    return true;
   const auto is_value = [](const std::string &word) {
     const ColumnUnit unit = unit_of_words(word);
     return unit == ColumnUnit::percent || unit == ColumnUnit::mass || is_word_of_sums(word) ||
@@ -98,18 +181,24 @@ void check_unread(const OrderedAccounts &accounts, std::size_t deciding, const S
   const AccountColumn &values = accounts.columns[deciding];
   for (const AccountColumn &unread : accounts.unread) {
     const std::optional<ColumnMeaning> meaning = meaning_of(values, unread, accounts.loss);
-    const bool lacks_rest = meaning && values.adds_masses() && !values.below && have_rest(unread, *meaning);
-    if (meaning && !lacks_rest)
+    const bool lacks_rest =
+        meaning && values.adds_masses() && !values.below && have_rest(unread, *meaning, accounts.loss);
+    const bool is_explained = is_of_weighed_pair(values, unread, accounts.unread) ||
+                              is_with_one_tare(values, unread) || is_of_classes_below(values, unread);
+    if ((meaning && !lacks_rest) || (!meaning && is_explained))
       continue;
     const std::string difference =
         lacks_rest
-            ? fmt::format("something passes the finest sieve by the column {}, and {} has no row of the pan",
+            ? fmt::format("something passes the finest sieve by the column {}, and {} has no row of the pan: "
+                          "write it with what passes",
                           in_quotes(unread.header), in_quotes(values.header))
             : fmt::format("the column {} has other masses or shares than {}", in_quotes(unread.header),
                           in_quotes(values.header));
     if (!accounts.is_asked)
       source.refuse(accounts.header_line,
-                    fmt::format("{}: choose one with {} SIZE,VALUE", difference, option("columns")));
+                    fmt::format("{}{} {} SIZE,VALUE, and say with {} what its header does not", difference,
+                                lacks_rest ? ", or choose one with" : ": choose one with", option("columns"),
+                                option("kind")));
     notes.push_back(fmt::format("{}; {} was asked for.", difference, in_quotes(values.header)));
   }
 }

@@ -42,13 +42,6 @@ full(const std::optional<std::vector<std::optional<PrintedNumber>>> &numbers) {
   return values;
 }
 
-/// True for a factor of each row, or its water content.
-bool changes_masses(std::string_view header) {
-  return has_any_word("factor faktor facteur fattore multiplier scale ratio teilung x moisture water wasser "
-                      "wassergehalt feuchte eau agua humedad acqua umidita",
-                      words_of(header));
-}
-
 /// `Retained on (mm)`, `Lower size (um)`: the other sieve of a class.
 bool names_other_end(std::string_view header) {
   return is_of_sizes(unit_in_header(header)) &&
@@ -239,8 +232,8 @@ void UnusedColumns::check_corrected(const Table &table, const std::vector<const 
 
 void UnusedColumns::check_samples(const std::vector<const CellRow *> &sieves, ColumnMeaning values) const {
   for (const UnusedColumn &column : common_) {
-    const bool may_be_parts =
-        values == ColumnMeaning::retained && has_word("test part portion stage", plain_words(column.name));
+    const bool may_be_parts = values == ColumnMeaning::retained &&
+                              has_word("test part portion stage stack set", plain_words(column.name));
     if (!names_samples(column.name) && plain_words(column.name) != "id" && !may_be_parts)
       continue;
     std::map<std::string, std::size_t> rows;

@@ -65,7 +65,8 @@ std::optional<Cells> upright(const Cells &cells, const Source &source) {
     width = std::max(width, row->cells.size());
   if (height * width > max_cells)
     return std::nullopt;
-  Cells turned{cells.format + ", sieves in a row", cells.delimiter, {}, cells.hint, cells.sheet};
+  Cells turned{
+      cells.format + ", sieves in a row", cells.delimiter, {}, cells.hint, cells.sheet, cells.comments};
   turned.rows.resize(width, CellRow{sizes->line, false, {}});
   for (std::size_t column = 0; column < height; ++column)
     add_column(turned, sizes[static_cast<std::ptrdiff_t>(column)], column);

@@ -1,8 +1,10 @@
 #include "gradation/words_above.hpp"
 
 #include "gradation/column_words.hpp"
+#include "gradation/mass_statements.hpp"
 #include "gradation/plain_words.hpp"
 #include "gradation/row_words.hpp"
+#include "gradation/unused_columns.hpp"
 #include "text/lines.hpp"
 #include "text/option_name.hpp"
 
@@ -71,6 +73,27 @@ void check_words_of_sums(const Cells &cells, const TableColumns &columns, const 
                                     "if it is, else {} retained",
                                     in_quotes(cell), in_quotes(columns.value_name), option("kind"),
                                     option("kind")));
+}
+
+void check_comments(const Cells &cells, const TableColumns &columns, const Source &source) {
+  const bool are_retained = columns.values.meaning == ColumnMeaning::retained;
+  for (const CellRow &comment : cells.comments) {
+    std::vector<MassStatement> statements;
+    add_statements(comment, nullptr, statements);
+    const bool has_mass = std::any_of(statements.begin(), statements.end(), [](const MassStatement &s) {
+      return s.is_sentence || UnusedColumns::names_mass(s.label);
+    });
+    const bool changes_values =
+        std::any_of(comment.cells.begin(), comment.cells.end(), [are_retained](const std::string &cell) {
+          return speaks_of_splitting(cell) || (are_retained && states_sums(cell));
+        });
+    if (has_mass || changes_values)
+      source.refuse(
+          comment.line,
+          fmt::format("the comment {} speaks of the masses in the table: write it without #, or leave "
+                      "it out",
+                      in_quotes(comment.first())));
+  }
 }
 
 } // namespace mdm

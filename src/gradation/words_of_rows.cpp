@@ -1,5 +1,6 @@
 #include "gradation/words_of_rows.hpp"
 
+#include "gradation/account_rows.hpp"
 #include "gradation/plain_words.hpp"
 #include "gradation/row_words.hpp"
 
@@ -38,8 +39,8 @@ void WordsOfRows::check_sieve(const CellRow &row, std::string_view size, const S
   if (!below_.empty())
     source.refuse(row.line,
                   fmt::format("the row of {} is below {}, which may begin another table: leave out what is "
-                              "none of the curve",
-                              in_quotes(size), in_quotes(below_.back()->first())));
+                              "none of the curve; {}",
+                              in_quotes(size), in_quotes(below_.back()->first()), split_remedy()));
 }
 
 std::string_view WordsOfRows::between_tables() const {
@@ -49,10 +50,11 @@ std::string_view WordsOfRows::between_tables() const {
 }
 
 bool WordsOfRows::are_of_others() const {
-  return std::any_of(below_.begin(), below_.end(), [](const CellRow *row) {
+  const auto is_of_other = [](const CellRow *row) {
     const std::string_view words = row->first();
     return speaks_of_sample(words) || speaks_of_splitting(words) || speaks_of_part(words);
-  });
+  };
+  return (among_ != nullptr && is_of_other(among_)) || std::any_of(below_.begin(), below_.end(), is_of_other);
 }
 
 } // namespace mdm

@@ -267,8 +267,10 @@ Match solve_within_tolerance(Match match, const SolveOptions &options, const Wat
     if (!match.complete)
       match.proof.bound = answer.found.proved;
   }
-  if (answer.found.best)
+  if (answer.found.best) {
     match.sample = sample_of(answer, match.scale_power());
+    note_digits(match);
+  }
   match.tolerance = std::move(answer.tolerance);
   set_status(match, options.at_most);
   return match;

@@ -200,7 +200,9 @@ TEST_CASE("a heading between two tables without an empty line is one of another 
   for (const std::string words :
        {"Fine sieving", "Second stage", "Feinsiebung (100 g)", "Sieving of the minus 2 mm"}) {
     INFO(words);
-    CHECK(contains(refusal(coarse + words + "\nSieve (mm),Retained (g)\n" + fine), "begins below '" + words));
+    const std::string message = refusal(coarse + words + "\nSieve (mm),Retained (g)\n" + fine);
+    CHECK((contains(message, "begins below '" + words) ||
+           contains(message, "'" + words + "' may be of a part")));
     CHECK(contains(refusal(coarse + words + "\n" + fine), "sand.csv:5: '" + words));
   }
   CHECK(masses(coarse + "Page 2\nSieve (mm),Retained (g)\n" + fine) == "7 29 43 400 200 0");

@@ -163,8 +163,14 @@ TEST_CASE("a stated mass is read, whatever its label ends in") {
   }
 }
 
-TEST_CASE("fines without a unit above the table are named") {
-  const Gradation g = read("Fines,70\n" + header + rows);
+TEST_CASE("fines and other masses beside a table without a pan may be what passes its finest sieve") {
+  for (const std::string words :
+       {"Fines,70", "Silt & clay,40", "Mud: 40 g", "Fraction < 0.063 mm: 40 g", "Colloids,4"}) {
+    INFO(words);
+    CHECK(contains(refusal(words + "\n" + header + rows), "sand.csv:1: "));
+    CHECK(contains(refusal(header + rows + "\n" + words + "\n"), "sand.csv:"));
+  }
+  const Gradation g = read("Fines,70\n" + header + rows + "Pan,70\n");
   CHECK(std::any_of(g.notes().begin(), g.notes().end(),
                     [](const std::string &note) { return contains(note, "left out: 'Fines'"); }));
 }
