@@ -201,6 +201,11 @@ BlendProblem problem_of(const BlendTexts &asked, const std::vector<Gradation> &s
   return blend_problem(stockpiles, specification, target, limits.moduli, limits.coarseness);
 }
 
+/// True if the best blend is known, and a limit came before others that were asked for.
+bool is_cut(const BlendAnswer &answer, const BlendOptions &options) {
+  return answer.status == BlendAnswer::Status::optimal && !answer.is_all && answer.best.size() < options.best;
+}
+
 } // namespace
 
 const std::vector<OptionRow<BlendTexts>> BlendTexts::question_options = {
@@ -344,12 +349,22 @@ std::optional<Gradation> Blending::blended_with(const std::vector<std::string> &
   return blended_materials(stockpiles_, answer_.best.front().shares, densities, "blend");
 }
 
+BlendAnswer find_blends(BlendProblem &problem, const BlendOptions &options) {
+  BlendAnswer answer = solve_blend(problem, options);
+  if (is_cut(answer, options))
+    problem.notes.push_back(
+        fmt::format("the search ended after the {} best of the {} blends that were asked for",
+                    answer.best.size(), options.best));
+  return answer;
+}
+
+Outcome outcome_of(const BlendAnswer &answer, const BlendOptions &options) {
+  return is_cut(answer, options) ? Outcome::limited : outcome_of(answer);
+}
+
 void Blending::search(std::function<bool()> go_on) {
   options_.go_on = std::move(go_on);
-  answer_ = solve_blend(problem_, options_);
-  if (is_cut())
-    add_note(fmt::format("the search ended after the {} best of the {} blends that were asked for",
-                         answer_.best.size(), options_.best));
+  answer_ = find_blends(problem_, options_);
 }
 
 std::optional<std::string> Blending::proof() const {

@@ -30,6 +30,12 @@ struct BlendTexts {
   BlendOptions search() const;
 };
 
+/// Searches for the best blends; where a limit came before all that were asked for, a note of the problem
+/// says so.
+BlendAnswer find_blends(BlendProblem &problem, const BlendOptions &options);
+/// `limited` also there.
+Outcome outcome_of(const BlendAnswer &answer, const BlendOptions &options);
+
 /// A blend of stockpiles, or why there is none.
 class Blending {
 public:
@@ -49,7 +55,7 @@ public:
   /// there is no blend.
   /// \throws InputError if a stockpile does not tell what passes one of them
   std::optional<BaileyReport> bailey() const;
-  Outcome outcome() const { return is_cut() ? Outcome::limited : outcome_of(answer_); }
+  Outcome outcome() const { return outcome_of(answer_, options_); }
   /// The gradation of the best blend; nothing where there is none.
   std::optional<Gradation> blended() const;
   /// The same with each stockpile a material of its density, of `NAME=DENSITY,...`.
@@ -62,11 +68,6 @@ public:
   std::optional<std::string> vipr() const;
 
 private:
-  /// True if the best blend is known, and a limit came before others that were asked for.
-  bool is_cut() const {
-    return answer_.status == BlendAnswer::Status::optimal && !answer_.is_all &&
-           answer_.best.size() < options_.best;
-  }
   bool has_ended() const {
     return answer_.status == BlendAnswer::Status::optimal || answer_.status == BlendAnswer::Status::none;
   }

@@ -21,8 +21,8 @@ struct Answered {
 Answered solved(BlendProblem problem, const std::string &id, const BlendTexts &search) {
   BlendOptions options = search.search();
   options.go_on = [] { return !Interrupt::was_pressed(); };
-  const BlendAnswer found = solve_blend(problem, options);
-  const Outcome outcome = outcome_of(found);
+  const BlendAnswer found = find_blends(problem, options);
+  const Outcome outcome = outcome_of(found, options);
   if (outcome == Outcome::limited && Interrupt::was_pressed())
     problem.notes.push_back("the search was interrupted");
   return {blend_json({problem, found, "", {}, {}, id}) + "\n", exit_code(outcome)};

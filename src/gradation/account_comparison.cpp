@@ -242,12 +242,14 @@ private:
          {number_of(a_.rows.total(), a), in_unit_of(masses, a_.stated.initial)})
       if (other && agree(*other, whole) && a_.loss.explains(*other, *sum))
         return std::nullopt;
-    const bool may_lack_pan = !masses.below && sum->range().hi < whole.lo;
-    return fmt::format("the masses in {} add up to {}, and the percent in {} are of {} to {}: {}{}",
-                       quoted(a), shown(sum->value), quoted(b), shown_hundredths(whole.lo),
-                       shown_hundredths(whole.hi),
-                       may_lack_pan ? "write the row 'pan' if the rest passes the finest sieve, else " : "",
-                       remedy(masses, column(b)));
+    const char *const difference =
+        !masses.below && sum->range().hi < whole.lo
+            ? "the masses in {} add up to {}, and the percent in {} are of {} to {}: write the row 'pan' if "
+              "the "
+              "rest passes the finest sieve, else {}"
+            : "the masses in {} add up to {}, and the percent in {} are of {} to {}: {}";
+    return fmt::format(fmt::runtime(difference), quoted(a), shown(sum->value), quoted(b),
+                       shown_hundredths(whole.lo), shown_hundredths(whole.hi), remedy(masses, column(b)));
   }
 
   /// Masses without a row of the pan give way to a column that says what passes the finest sieve.

@@ -270,11 +270,14 @@ private:
     if (sum.value > 100)
       return fmt::format("if {0} is cumulative, say {1} cumulative, else {1} retained_percent",
                          quoted(compared_.deciding), option("kind"));
-    return fmt::format(
-        "write the row 'pan' with {} if that passes the finest sieve, or take them as they are "
-        "with {} retained_percent{}",
-        shown(Rational(100 - sum.value)), option("kind"),
-        rise() ? ", or say " + option("kind") + " cumulative if each has what coarser sieves retain" : "");
+    const std::string rest = shown(Rational(100 - sum.value));
+    return rise()
+               ? fmt::format("say {} cumulative if each has what coarser sieves retain, else write the row "
+                             "'pan' with {}",
+                             option("kind"), rest)
+               : fmt::format("write the row 'pan' with {} if that passes the finest sieve, or take them as "
+                             "they are with {} retained_percent",
+                             rest, option("kind"));
   }
 
   /// True where the deciding column's numbers never fall from the coarsest sieve on, as sums do.

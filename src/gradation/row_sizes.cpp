@@ -312,8 +312,8 @@ bool RowSizes::is_sieve(std::string_view cell) const {
 Rational RowSizes::opening(std::string_view cell) const {
   const std::string &series = names_other_series(columns_.size_name) ? columns_.size_name : series_;
   if (is_numbered(cell) && !series.empty() && !has_any_word("mm um micron microns", words_of(cell)))
-    throw InputError(fmt::format("{} below {} is not a sieve of ASTM, whose numbers are known: write its "
-                                 "opening with its unit",
+    throw InputError(fmt::format("{} beside {} may not be a sieve of ASTM, whose numbers are known: "
+                                 "write its opening with its unit",
                                  in_quotes(cell), in_quotes(series)));
   return spelled_sieve_opening(cell, sign_.in(cell)) / in_mm(unit_);
 }

@@ -7,8 +7,8 @@ namespace {
 
 constexpr int finest_sieve_um = 20, widest_sieve_mm = 125; // of ISO 565
 
-/// Where micrometres begin among sizes from the coarsest on. The finest sieve that is named in mm is between
-/// 1 and 6, and those in micrometres are whole numbers from 20 to 999.
+/// Where micrometres begin among sizes from the coarsest on. The finest sieve that is named in mm is at most
+/// 6, and those in micrometres are finer whole numbers from 20 to 999.
 std::optional<std::size_t> break_from_coarsest(const std::vector<Rational> &sizes) {
   const auto above = [](const Rational &a, const Rational &b) { return a < b; };
   const auto rise = std::adjacent_find(sizes.begin(), sizes.end(), above);
@@ -19,7 +19,7 @@ std::optional<std::size_t> break_from_coarsest(const std::vector<Rational> &size
   const bool are_micrometres = std::all_of(um, sizes.end(), [](const Rational &size) {
     return size == 0 || (denominator(size) == 1 && size >= 20 && size < 1000);
   });
-  if (!has_one_rise || !are_micrometres || *rise < 1 || *rise > 6)
+  if (!has_one_rise || !are_micrometres || 1000 * *rise <= *um || *rise > 6)
     return std::nullopt;
   return static_cast<std::size_t>(um - sizes.begin());
 }

@@ -189,16 +189,18 @@ void check_unread(const OrderedAccounts &accounts, std::size_t deciding, const S
       continue;
     const std::string difference =
         lacks_rest
-            ? fmt::format("something passes the finest sieve by the column {}, and {} has no row of the pan: "
-                          "write it with what passes",
+            ? fmt::format("something passes the finest sieve by the column {}, and {} has no row of the pan",
                           in_quotes(unread.header), in_quotes(values.header))
             : fmt::format("the column {} has other masses or shares than {}", in_quotes(unread.header),
                           in_quotes(values.header));
     if (!accounts.is_asked)
-      source.refuse(accounts.header_line,
-                    fmt::format("{}{} {} SIZE,VALUE, and say with {} what its header does not", difference,
-                                lacks_rest ? ", or choose one with" : ": choose one with", option("columns"),
-                                option("kind")));
+      source.refuse(
+          accounts.header_line,
+          lacks_rest ? fmt::format("{}: write it with what passes, or choose one with {} SIZE,VALUE",
+                                   difference, option("columns"))
+                     : fmt::format("{}: choose one with {} SIZE,VALUE, and say with {} what its header does "
+                                   "not",
+                                   difference, option("columns"), option("kind")));
     notes.push_back(fmt::format("{}; {} was asked for.", difference, in_quotes(values.header)));
   }
 }

@@ -66,6 +66,13 @@ TEST_CASE("answers to problems go to a file of JSON Lines", "[blend]") {
   check_refused(mdm({"blend", "--problems", problems, "-o", folder / "answers.csv"}), "JSON Lines");
 }
 
+TEST_CASE("problems of which fewer blends were found than asked for say so", "[blend]") {
+  const std::string many = replaced(cheap, R"("aim")", R"("steps":"1000000000","aim")");
+  const Json cut = solved(many, 3, {"--all", "1000000", "--time-limit", "0.1"}).at(0);
+  CHECK(contains(cut.at("notes").dump(), "best of the 1000000 blends that were asked for"));
+  CHECK(solved(cheap, 0, {"--all", "5"}).at(0).at("notes") == Json::array());
+}
+
 TEST_CASE("Ctrl-C ends problems of blends with the answers so far", "[blend]") {
   const TemporaryFolder folder;
   const std::string steps = R"("steps":"1000000000","aim")",

@@ -153,6 +153,15 @@ TEST_CASE("the text is the summary, and -o has the rows", "[cli]") {
   CHECK(folder.entries() == 1);
 }
 
+TEST_CASE("-o with the ending of JSON has rows and summary as JSON", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string line = lines_of(read_file(suite))[0] + "\n", file = folder.write("suite.jsonl", line),
+                    answers = folder / "answers.jsonl", out = folder / "rows.json";
+  REQUIRE(mdm({"batch", file, "-o", answers}).exit_code == 0);
+  CHECK(crosscheck({file, answers, "-o", out}).out.empty());
+  CHECK(read_file(out) == crosscheck({file, answers, "--format", "json"}).out);
+}
+
 TEST_CASE("batch's own answers are minimal, and no longer when changed", "[cli]") {
   const TemporaryFolder folder;
   std::string lines;

@@ -87,7 +87,7 @@ TEST_CASE("an ending of -o that is another format's is refused with those that t
   check_refused(mdm({"describe", athabasca, "-o", "a.svg"}), "writes no .svg");
   check_refused(mdm({"describe", athabasca, "-o", "a.jsonl"}), "writes no .jsonl");
   check_refused(mdm({"describe", athabasca, "-o", "a.html.zst"}), "writes no .html");
-  check_refused(mdm({"crosscheck", suite, answers, "-o", "a.json"}), "writes no .json");
+  check_refused(mdm({"crosscheck", suite, answers, "-o", "a.html"}), "writes no .html");
 }
 
 TEST_CASE("an ending that stands for no format is taken, and --format decides for any", "[cli]") {

@@ -134,7 +134,7 @@ TEST_CASE("a scaled specimen is filled with exactly its volume of solids", "[cli
 TEST_CASE("lengths of options may have units, whatever the unit of the file", "[cli]") {
   const Json alone =
       solve_json({athabasca, "--specimen", "cylinder:5x10.16", "--void-ratio", "0.6", "--cut-below", "0.25"});
-  for (const char *shape : {"cylinder:5mmx0.4in", "cylinder:5000umx0.01016m"}) {
+  for (const char *shape : {"cylinder:5mmx0.4in", "cylinder:5000umx0.01016m", "cylinder:5 mm x 10.16 mm"}) {
     const Json answer = proved({"--specimen", shape, "--void-ratio", "0.6", "--cut-below", "250um"});
     CHECK(answer.at("particles") == alone.at("particles"));
     CHECK(answer.at("question") == "at least the solids of a cylinder 5 mm x 10.16 mm at void ratio 0.6; "
@@ -206,6 +206,8 @@ TEST_CASE("option --digits sets the significant digits, more where a class needs
   const Json few = solve_json({athabasca, "--digits", "1"});
   check_match(few);
   CHECK_FALSE(few.at("notes").empty());
+  const Json within = solve_json({athabasca, "--digits", "2", "--tolerance", "1%"});
+  CHECK(contains(within.at("notes").dump(), "class 7: the size is printed with 8 digits"));
 }
 
 TEST_CASE("option --scale upper takes the largest sizes", "[cli]") {

@@ -98,11 +98,11 @@ TEST_CASE("numbers of another series of sieves are not those of ASTM, wherever t
   for (const char *words : {"Tyler", "Particle size distribution to BS 1377:1975", "B.S. sieves",
                             "I.M.M. mesh", "Siebsatz BS", "# Tyler sieves"}) {
     INFO(words);
-    CHECK(contains(refusal(std::string(words) + "\n" + table), "not a sieve of ASTM"));
-    CHECK(contains(refusal(table + "\n" + words + "\n"), "not a sieve of ASTM"));
+    CHECK(contains(refusal(std::string(words) + "\n" + table), "may not be a sieve of ASTM"));
+    CHECK(contains(refusal(table + "\n" + words + "\n"), "may not be a sieve of ASTM"));
   }
-  CHECK(
-      contains(refusal("Series,Sieve,Mass retained (g)\nBS,No. 7,0\nBS,No. 14,20\n"), "not a sieve of ASTM"));
+  CHECK(contains(refusal("Series,Sieve,Mass retained (g)\nBS,No. 7,0\nBS,No. 14,20\n"),
+                 "may not be a sieve of ASTM"));
   CHECK(masses("ASTM sieves, project of the BS\n" + table) == "5 60 0");
 }
 
