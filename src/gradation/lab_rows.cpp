@@ -316,6 +316,7 @@ private:
           "{} has {} in the column {}, and may be a sieve or what passed the finest one: write the "
           "sieve's size or Pan, else leave the row out",
           in_quotes(first_words()), in_quotes(value_cell()), in_quotes(columns_.value_name)));
+    check_shares_of_part();
     add_statements(row(), nullptr, statements_);
     if (below_gap_ || (!read_.table.sizes.empty() && names_sample(row().first())))
       words_.add_below(row());
@@ -323,6 +324,21 @@ private:
       words_.add_among(row());
     leave();
     return true;
+  }
+
+  /// Words below two tables that were joined may say of what part the shares in one of them are.
+  void check_shares_of_part() const {
+    if (read_.further_headers.empty() || chosen_.meaning().meaning == ColumnMeaning::retained)
+      return;
+    for (const std::string &cell : row().cells)
+      if (speaks_of_part(cell) &&
+          has_any_word("percent percentage percentages shares prozent prozente anteile "
+                       "pourcentages porcentajes percentuali",
+                       words_of(cell)) &&
+          has_any_word("of von der des de du del della", words_of(cell)))
+        refuse(fmt::format("{} may say that one of the two tables above has shares of a part: give percent "
+                           "passing of the whole, or leave the words out",
+                           in_quotes(cell)));
   }
 
   /// A row below the table whose number is none of a mass or of a sieve.

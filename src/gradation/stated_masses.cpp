@@ -1,5 +1,6 @@
 #include "gradation/stated_masses.hpp"
 
+#include "gradation/plain_words.hpp"
 #include "gradation/shown.hpp"
 
 #include <mdm/text/error.hpp>
@@ -130,7 +131,8 @@ private:
                      fmt::format("{} may be what was washed out, or not: write 'Wash loss' for what went, "
                                  "'Dry mass before wash' and 'Dry mass after wash' for the rest",
                                  in_quotes(s.label)));
-    if (s.is_percent && may_be_fines(s.label))
+    const bool names_finest = s.label.starts_with('-') && words_of(s.label).front() == "200"; // ASTM's
+    if (s.is_percent && (may_be_fines(s.label) || names_finest))
       masses_.fines_percent.push_back({s.label, s.line, false, number.number});
     if (s.grams != 0 || speaks_of_mass(s.label))
       masses_.left.add(s.label);

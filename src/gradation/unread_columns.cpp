@@ -18,13 +18,14 @@ constexpr std::string_view of_values =
     "mass masses masse massen weight weights wt gewicht gewichte peso pesos poids masa masas massa "
     "retained retd passing passante passant finer coarser corr adj norm recalc korr normalized normalised "
     "recalculated weighted average avg mean mittel mittelwert moyenne media duplicate repeat trial "
+    "share shares result results "
     "washed corrected adjusted combined overall net netto total totals totale totali totales sum summe "
     "somme suma somma gesamt korrigiert korrigierte corrige corrigee corregido corregida corretto corretta";
 /// Words beside these that leave a column one of the sample's masses; any other may be of a target, a tare,
 /// an assay or the moisture.
 constexpr std::string_view beside_values =
     "of the a an x by in on to per and all whole each sample material dry soil value values final new calc "
-    "calculated computed result results factor part anteil probe amount quantity auswaage von der des und de "
+    "calculated computed factor part anteil probe amount quantity auswaage von der des und de "
     "del du la le y et";
 /// The same beside percent; a mass may be that of a sieve.
 constexpr std::string_view beside_percent =
@@ -41,7 +42,8 @@ constexpr std::string_view of_other_percent =
 constexpr std::string_view of_changes =
     "factor faktor facteur fattore multiplier scale scaling ratio teilung x coefficient koeffizient "
     "weighting "
-    "dilution moisture water wasser wassergehalt feuchte w wc mc solids eau agua humedad acqua umidita";
+    "dilution tested moisture water wasser wassergehalt feuchte w wc mc solids eau agua humedad acqua "
+    "umidita";
 
 /// What the numbers of such a column may be.
 constexpr std::array readings = {ColumnMeaning::retained, ColumnMeaning::cumulative, ColumnMeaning::passing};
@@ -116,6 +118,16 @@ bool is_of_classes_below(const AccountColumn &values, AccountColumn unread) {
   return unread.is_share() && !compare(values, unread).disagreement;
 }
 
+/// True where masses that pass, of which the whole is so much, have other than the share of the finest sieve.
+bool differs_below(const AccountColumn &shares, const AccountColumn &passing,
+                   const std::optional<Interval> &whole) {
+  const std::optional<PrintedNumber> &last = passing.sieves.back();
+  if (!shares.below || !last || !whole || whole->lo <= 0)
+    return false;
+  const Interval share{100 * last->range().lo / whole->hi, 100 * last->range().hi / whole->lo};
+  return share.hi < shares.below->range().lo || share.lo > shares.below->range().hi;
+}
+
 /// The first meaning with which the column agrees; nothing where there is none.
 std::optional<ColumnMeaning> meaning_of(const AccountColumn &values, AccountColumn unread,
                                         const AllowedLoss &loss) {
@@ -123,6 +135,8 @@ std::optional<ColumnMeaning> meaning_of(const AccountColumn &values, AccountColu
     unread.meaning.meaning = meaning;
     const bool is_first = !values.is_share() || unread.is_share();
     const ColumnComparison compared = is_first ? compare(values, unread) : compare(unread, values);
+    if (meaning == ColumnMeaning::passing && !is_first && differs_below(values, unread, compared.whole))
+      continue;
     if (may_be(meaning, unread) && !compared.disagreement &&
         (!compared.whole || is_whole(is_first ? values : unread, *compared.whole, loss)))
       return meaning;

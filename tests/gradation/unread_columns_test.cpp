@@ -45,6 +45,21 @@ TEST_CASE("a column in a unit of mass or percent has the masses of the table, or
   }
 }
 
+TEST_CASE("a second column of what passes, of the whole or of a part, is not passed over") {
+  const std::string passing = "4,100,100\n2,90,94.5\n1,60,76.2\n0.5,20,52.1\n0.063,5,43.0\n";
+  for (const char *header : {"Overall", "Of total sample", "Measured (%)", "Result"}) {
+    INFO(header);
+    CHECK(
+        contains(refusal("Sieve (mm),Passing (%)," + std::string(header) + "\n" + passing), "other masses"));
+  }
+  const std::string joined = "Sieve (mm),Passing (%)\n4,100\n2,90\n0.5,70\n0.075,50\n",
+                    fine = "Diameter (mm),Finer (%)\n0.03,40\n0.01,25\n0.002,10\n";
+  CHECK(masses(joined + fine) == "10 15 15 10 20 20 10 0");
+  CHECK(contains(refusal(joined + "Hydrometer (% of fraction < 2 mm)\n" + fine), "begins below"));
+  CHECK(contains(refusal(joined + fine + "\nHydrometer percentages are of the material < 2 mm\n"),
+                 "shares of a part"));
+}
+
 TEST_CASE("masses with their container, and that of the container, are compared with those without") {
   CHECK(masses(with_column("Gross (g),Dish (g)", {"100,100", "121,101", "162,102", "180,100", "129,99",
                                                   "110,100"})) == read_as_it_is);
