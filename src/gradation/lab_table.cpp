@@ -182,6 +182,7 @@ Table read_lab_table(const Cells &cells, const Source &source, const std::string
     refuse_table(cells, reading, source);
   refuse_number_shares(cells, columns->above, source);
   check_comments(cells, *columns, source);
+  check_words_of_units(cells, *columns, source);
   if (!reading.columns && !reading.kind)
     check_words_of_sums(cells, *columns, source);
   if (!reading.columns)

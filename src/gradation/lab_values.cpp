@@ -86,31 +86,42 @@ bool never_falls(const Table &table) {
   return std::is_sorted(rows.begin(), rows.end(), less);
 }
 
-/// True where five sieves or more hold mass and none less than the next coarser one, as cumulative masses do;
-/// three are enough where the values have no unit and end at 100.
-bool look_cumulative(const Table &table, ColumnUnit unit) {
-  const bool may_be_percent =
-      unit == ColumnUnit::none && *std::max_element(table.values.begin(), table.values.end()) == 100;
-  const std::ptrdiff_t enough = may_be_percent ? 3 : 5;
+/// From so many sieves on, the pan among them, of which none holds less than the next coarser one, there is a
+/// note, or an error; an error from few on where the values have no unit and end at 100.
+constexpr std::ptrdiff_t few_sieves = 3, many_sieves = 5;
+
+/// The number of sieves that hold mass, where none holds less than the next coarser one, as cumulative masses
+/// do; else 0.
+std::ptrdiff_t sieves_as_cumulative(const Table &table) {
   const auto is_held = [](const Rational &value) { return value > 0; };
-  return never_falls(table) && std::count_if(table.values.begin(), table.values.end(), is_held) >= enough;
+  return never_falls(table) ? std::count_if(table.values.begin(), table.values.end(), is_held) : 0;
 }
 
-/// An error where masses grow as cumulative ones do, and nothing else in the sheet says that they are none.
-void check_growth(const Table &table, const LabValues &values, const Reading &reading, const Source &source) {
+/// An error, or of few sieves a note, where masses grow as cumulative ones do, and nothing else in the sheet
+/// says that they are none.
+void check_growth(Table &table, const LabValues &values, const Reading &reading, const Source &source) {
   if (values.meaning.is_symbol && !reading.kind && never_falls(table))
     source.refuse(
         table.header_line,
         fmt::format("the column {0} holds what each sieve retains, or what all coarser ones retain too, and "
                     "no sieve has less than the next coarser one: say {1} retained or {1} cumulative",
                     in_quotes(values.header), option("kind")));
-  if (values.meaning.unit != ColumnUnit::percent && !reading.kind && !values.is_confirmed &&
-      !values.meaning.is_individual && look_cumulative(table, values.meaning.unit))
+  const std::ptrdiff_t sieves = sieves_as_cumulative(table);
+  if (values.meaning.unit == ColumnUnit::percent || reading.kind || values.is_confirmed ||
+      values.meaning.is_individual || sieves < few_sieves)
+    return;
+  const bool may_be_percent = values.meaning.unit == ColumnUnit::none &&
+                              *std::max_element(table.values.begin(), table.values.end()) == 100;
+  if (sieves >= many_sieves || may_be_percent)
     source.refuse(
         table.header_line,
         fmt::format("no sieve retains less than the next coarser one, as in a cumulative column: say "
                     "{0} cumulative if {1} is one, else {0} retained",
                     option("kind"), in_quotes(values.header)));
+  table.notes.push_back(
+      fmt::format("No sieve retains less than the next coarser one: {} was read as what each retains; say {} "
+                  "cumulative if it is cumulative.",
+                  in_quotes(values.header), option("kind")));
 }
 
 } // namespace

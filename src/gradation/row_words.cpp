@@ -307,7 +307,9 @@ bool speaks_of_washing(std::string_view text) {
 bool speaks_of_splitting(std::string_view text) {
   using namespace row_vocabulary;
   const Words words(text);
-  return (words.have(splitting) && !words.have_two("split", "spoon barrel tube") &&
+  return words.have("scalped scalping") ||
+         words.have_two("removed discarded excluded entfernt", "before prior vor") ||
+         (words.have(splitting) && !words.have_two("split", "spoon barrel tube") &&
           !words.have_two("reduced", "level")) ||
          words.have_two("sub", "sample samples") || words.have_part_of_mass() || words.have_part_sieved() ||
          words.have_factor_of_part() || has_fraction_of(text) ||

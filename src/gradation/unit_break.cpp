@@ -34,8 +34,9 @@ std::optional<std::size_t> unit_break(const std::vector<Rational> &sizes) {
 }
 
 bool may_be_micrometres(const std::vector<Rational> &sizes) {
-  const auto is_sieve = [](const Rational &size) {
-    return denominator(size) == 1 && size >= finest_sieve_um;
+  const Rational four_phi = ratio(125, 2); // in micrometres
+  const auto is_sieve = [&four_phi](const Rational &size) {
+    return (denominator(size) == 1 && size >= finest_sieve_um) || size == four_phi;
   };
   return std::all_of(sizes.begin(), sizes.end(),
                      [&is_sieve](const Rational &size) { return size == 0 || is_sieve(size); }) &&

@@ -26,6 +26,19 @@ bool states_sums(std::string_view cell) {
          !has_any_word("not non no nicht pas passing finer durchgang durchgaenge", words);
 }
 
+/// The unit of length that a sentence gives to sizes: `All sizes in micrometres`; none of one with a number,
+/// as `Sieves of 8 in`.
+ColumnUnit unit_of_sizes(std::string_view cell) {
+  const std::vector<std::string> words = words_of(cell);
+  if (words.size() < 3 || has_digit(cell) ||
+      !has_any_word("size sizes sieve sieves opening openings siebe siebweiten ouvertures aberturas aperture",
+                    words) ||
+      !has_two_words("in are en sind sont son sono", words.back(), words))
+    return ColumnUnit::none;
+  const ColumnUnit unit = unit_of_words(words.back());
+  return is_of_sizes(unit) ? unit : ColumnUnit::none;
+}
+
 /// `Number` or `Counts` alone.
 bool is_number_alone(std::string_view cell) {
   return has_only_words("number numbers count counts frequency anzahl haeufigkeit nombre numero frecuencia",
@@ -73,6 +86,19 @@ void check_words_of_sums(const Cells &cells, const TableColumns &columns, const 
                                     "if it is, else {} retained",
                                     in_quotes(cell), in_quotes(columns.value_name), option("kind"),
                                     option("kind")));
+}
+
+void check_words_of_units(const Cells &cells, const TableColumns &columns, const Source &source) {
+  if (!is_of_sizes(columns.sizes.unit))
+    return;
+  for (std::size_t i = 0; i < cells.rows.size(); ++i)
+    if (i < columns.above || i >= columns.first_row)
+      for (const std::string &cell : cells.rows[i].cells)
+        if (const ColumnUnit unit = unit_of_sizes(cell);
+            unit != ColumnUnit::none && unit != columns.sizes.unit)
+          source.refuse(cells.rows[i].line,
+                        fmt::format("{} names another unit than the column {}: correct one of them",
+                                    in_quotes(cell), in_quotes(columns.size_name)));
 }
 
 void check_comments(const Cells &cells, const TableColumns &columns, const Source &source) {

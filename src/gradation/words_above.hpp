@@ -16,6 +16,9 @@ void check_words_above(const Cells &cells, std::size_t row, const TableColumns &
 /// as `Results are cumulative`, and no header does
 void check_words_of_sums(const Cells &cells, const TableColumns &columns, const Source &source);
 
+/// \throws InputError where a sentence above or below the table gives its sizes another unit than their header
+void check_words_of_units(const Cells &cells, const TableColumns &columns, const Source &source);
+
 /// \throws InputError where a comment says of the table's masses what would be read without its #
 void check_comments(const Cells &cells, const TableColumns &columns, const Source &source);
 

@@ -7,6 +7,7 @@ using namespace mdm;
 
 TEST_CASE("The order of sieves tells where micrometres begin") {
   CHECK(unit_break({4, 2, ratio(118, 100), 600, 300, 63}) == 3);
+  CHECK(unit_break({2, 1, ratio(1, 2), 250, 125, 63}) == 3);
   CHECK(unit_break({2, 1, 500, 250, 0}) == 2);
   CHECK(unit_break({63, 300, 600, ratio(118, 100), 2}) == 3);
 }
@@ -24,6 +25,7 @@ TEST_CASE("An order that one unit may have tells nothing") {
 TEST_CASE("Sieves in um below a header of mm are known by their sizes") {
   CHECK(may_be_micrometres({600, 425, 300, 63}));
   CHECK(may_be_micrometres({28000, 600, 212, 0}));
+  CHECK(may_be_micrometres({250, 125, ratio(125, 2)}));
 }
 
 TEST_CASE("Sieves that may be in mm are no micrometres") {

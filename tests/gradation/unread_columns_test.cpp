@@ -90,7 +90,8 @@ TEST_CASE("what is said of a part that was sieved for the whole is not added up"
   for (const char *words :
        {"Umrechnungsfaktor: 5.8", "Coefficient: 5.8", "Scaling 5.8 for material below 4.75 mm",
         "Feinsiebung: Einwaage 500 g", "Correction factor: 5.8", "Mass for fine sieving: 500 g",
-        "Fine fraction 500 g", "Representative portion 500 g"}) {
+        "Fine fraction 500 g", "Representative portion 500 g", "40 % > 4 mm removed before sieving",
+        "Scalped at 20 mm"}) {
     INFO(words);
     CHECK(contains(refusal(std::string(words) + "\n" + stack), "--split"));
   }
@@ -119,6 +120,34 @@ TEST_CASE("numbers of another series of sieves are not those of ASTM, wherever t
   CHECK(contains(refusal("Series,Sieve,Mass retained (g)\nBS,No. 7,0\nBS,No. 14,20\n"),
                  "may not be a sieve of ASTM"));
   CHECK(masses("ASTM sieves, project of the BS\n" + table) == "5 60 0");
+}
+
+TEST_CASE("masses of few sieves that never fall are read with a note") {
+  const auto notes = [](const std::string &sieves) {
+    const std::vector<std::string> all = read("Sieve (mm),Mass retained (g)\n4,0\n" + sieves).notes();
+    return std::count_if(all.begin(), all.end(), [](const std::string &note) {
+      return contains(note,
+                      "No sieve retains less than the next coarser one: 'Mass retained (g)' was read as");
+    });
+  };
+  CHECK(notes("2,20\n1,60\nPan,80\n") == 1);
+  CHECK(notes("2,20\n1,60\n0.5,80\nPan,90\n") == 1);
+  CHECK(notes("2,20\n1,60\n0.5,50\nPan,90\n") == 0);
+  CHECK(notes("2,20\nPan,60\n") == 0);
+}
+
+TEST_CASE("a sentence that gives the sizes another unit than their header is not passed over") {
+  const std::string table = "Sieve (mm),Mass retained (g)\n4,0\n2,20\n1,60\nPan,3\n";
+  for (const char *words : {"Sizes in inches", "All sieve openings are in micrometres", "Siebweiten in um"}) {
+    INFO(words);
+    CHECK(contains(refusal(std::string(words) + "\n" + table), "names another unit"));
+    CHECK(contains(refusal(table + "\n" + words + "\n"), "names another unit"));
+  }
+  for (const char *words :
+       {"Sizes in millimetres", "Sieves of 8 in", "Sieving in the laboratory in London"}) {
+    INFO(words);
+    CHECK(masses(std::string(words) + "\n" + table) == "3 60 20 0");
+  }
 }
 
 TEST_CASE("metres that may be micrometres without their first letter are no unit") {
