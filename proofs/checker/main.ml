@@ -65,6 +65,19 @@ type file = { text : (string * string) Lazy.t; certificate : (string * string) L
 let file_of path = { text = lazy (read_input path 64); certificate = lazy (read_input path 256) }
 let text file = Lazy.force file.text
 let certificate_of file = Lazy.force file.certificate
+
+(** The most characters of a row: five fields of 1000 digits each have fewer. The readers' time grows with the square of
+    a row's length. *)
+let longest_row = 16384
+
+(** A gradation or a specification; JSON is one line, and comments may be long. *)
+let table file =
+  let name, content = text file in
+  let is_too_long line = String.length line > longest_row && line.[0] <> '#' in
+  let is_json = String.contains (String.sub content 0 (min 16 (String.length content))) '{' in
+  if (not is_json) && List.exists is_too_long (String.split_on_char '\n' content) then
+    fail name (Printf.sprintf "a line is longer than %d characters, and no row of a gradation is: give a gradation" longest_row);
+  (name, content)
 let remedy = "raise its limits (ulimit -s), or use mdm-check"
 
 (** Prints a verdict, [before] before its line, and gives its code. *)
@@ -80,11 +93,11 @@ let check ?before gradation certificate =
 
 (** A sample is held as a whole. *)
 let check_sample gradation sample certificate =
-  say (Verdict.judge_sample ~remedy (text gradation) (text sample) (certificate_of certificate))
+  say (Verdict.judge_sample ~remedy (table gradation) (text sample) (certificate_of certificate))
 
 (** The specification, the stockpiles and the certificate of a blend. *)
 let check_blend specification stockpiles certificate =
-  say (Verdict.judge_blend ~remedy (text specification) (List.map text stockpiles) (certificate_of certificate))
+  say (Verdict.judge_blend ~remedy (table specification) (List.map table stockpiles) (certificate_of certificate))
 
 let print gradation certificate =
   match (Verdict.print ~remedy gradation, certificate) with
@@ -97,7 +110,7 @@ let code_of work =
 
 let rec check_all worst = function
   | gradation :: certificate :: rest ->
-      check_all (max worst (code_of (fun () -> check (text gradation) certificate))) rest
+      check_all (max worst (code_of (fun () -> check (table gradation) certificate))) rest
   | _ -> worst
 
 let rec check_samples worst = function
@@ -139,7 +152,7 @@ let run arguments =
       0
   | "--print" :: files ->
       demand_arguments files (List.length files = 1 || List.length files = 2);
-      print (text (file_of (List.hd files))) (Option.map file_of (List.nth_opt files 1))
+      print (table (file_of (List.hd files))) (Option.map file_of (List.nth_opt files 1))
   | "--samples" :: files ->
       demand_arguments files (files <> [] && List.length files mod 3 = 0);
       check_samples 0 (List.map file_of files)

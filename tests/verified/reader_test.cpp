@@ -160,6 +160,20 @@ TEST_CASE("an envelope is judged by its own limits") {
   CHECK(folder.run("limits.csv both.proof").exit_code == 2);
 }
 
+TEST_CASE("a row that is longer than any can be is malformed at once, and a comment may be") {
+  const Folder folder;
+  const std::string digits(1000000, '9');
+  for (const std::string &text : {"size_mm,mass\n1," + digits + "\n2,0\n", digits + "\n1,1\n2,0\n"}) {
+    folder.write("long.csv", text);
+    const Outcome outcome = folder.run("--print long.csv");
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.output.empty());
+    CHECK(contains(outcome.errors, "a line is longer than 16384 characters"));
+  }
+  folder.write("comment.csv", "# " + digits + "\nsize_mm,mass\n1,1\n2,0\n");
+  CHECK(folder.run("--print comment.csv").output == "size_mm,mass\n1,1\n2,0\n");
+}
+
 TEST_CASE("the verdict's line quotes the file's name, and a refusal gives its reason apart") {
   const Folder folder;
   const std::string name = "x exactly (law); \"a\\b\xC2\xAD\xD8\x9C\xE2\x80\x8B\x01\xFF\xC3\xA4";
