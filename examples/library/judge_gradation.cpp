@@ -1,4 +1,5 @@
-// judge_gradation GRADATION SPECIFICATION: whether a sieve analysis keeps limits such as `astm-c33-fine`, or those in a file.
+// judge_gradation GRADATION SPECIFICATION: whether a sieve analysis keeps limits such as `astm-c33-fine`, or
+// those in a file.
 
 #include <mdm/mdm.hpp>
 
@@ -23,8 +24,8 @@ int main(int argc, char **argv) try {
   const mdm::UnderstoodGradation report = mdm::understand_gradation(content(argv[1]), argv[1]);
   const mdm::JudgedGradation judged = mdm::judge_gradation(report, *asked);
   for (const mdm::JudgedSieve &sieve : judged.sieves)
-    std::cout << mdm::to_decimal(sieve.limits.size) << " mm: " << sieve.least.text() << " to " << sieve.most.text()
-              << " % pass: " << mdm::name(sieve.verdict) << '\n';
+    std::cout << mdm::to_decimal(sieve.limits.size) << " mm: " << sieve.least.text() << " to "
+              << sieve.most.text() << " % pass: " << mdm::name(sieve.verdict) << '\n';
   std::cout << judged.id << ": " << mdm::name(judged.verdict) << '\n';
   return judged.verdict == mdm::Compliance::holds ? 0 : 1;
 } catch (const mdm::InputError &e) {

@@ -29,18 +29,18 @@ Checks the proof that a number of particles is the smallest that matches a grada
 or within a tolerance, or the proof of bounds on the smallest.
 GRADATION is the gradation file (CSV or JSON; or that of a band) and CERTIFICATE what
 mdm solve --proof wrote; one of them may be - for standard input.
-Three files are also a gradation, a sample of particles in canonical CSV, and what mdm verify --proof
-or mdm published --proof wrote of them: counts, shares, errors, and whether the sample matches. A
-verdict that it does not match is accepted too, where it is true: the line says so.
+Three files are also a gradation, a sample of particles in canonical CSV, and what mdm verify
+--proof or mdm published --proof wrote of them: counts, shares, errors, and whether the sample
+matches. A verdict that it does not match is accepted too, where it is true: the line says so.
 With other files than these, more than two, the first is the specification of a blend, the limits of
 what passes, and CERTIFICATE what mdm blend --proof wrote of the stockpiles, in their order.
 SUITE has a gradation in JSON a line and FOLDER what mdm batch --proofs wrote of it: each
 certificate is checked against the line whose number its name begins with, also NAME.proof.finer,
 which says that the next finer step of a budget needs more particles. Without SUITE, each
 NAME.proof is checked against NAME.gradation beside it. FOLDER may also be of mdm crosscheck
---proofs: NAME.proof is then of NAME.sample.csv, and beside it is NAME.gradation.json. STREAM has all
-certificates of a suite one after the other, of mdm crosscheck --proofs each behind its sample, and
-STREAM.index says which line each is of. A file whose name ends in .zst is unpacked.
+--proofs: NAME.proof is then of NAME.sample.csv, and beside it is NAME.gradation.json. STREAM has
+all certificates of a suite one after the other, of mdm crosscheck --proofs each behind its sample,
+and STREAM.index says which line each is of. A file whose name ends in .zst is unpacked.
 A certificate says what was asked. With ANSWERS, what mdm batch wrote of SUITE (JSON or CSV), each
 is compared with the answer of its line: the number, quantities, sizes and openings; of JSON also
 the question, which CSV does not have, and not the budget. Read the questions in the last line.

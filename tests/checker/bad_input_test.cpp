@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <sstream>
 
 namespace bad_input_test {
 
@@ -129,7 +130,8 @@ TEST_CASE("commands that are wrong", "[checker]") {
   check_exit_2(run({proof}), "mdm-check: ");
   check_exit_2(run({proof, proof, proof}), proof); // the first is no specification of a blend
   check_exit_2(run({"-", "-"}), "mdm-check: standard input has one file");
-  check_exit_2(run({"--verbose", proof}), "mdm-check: ");
+  check_exit_2(run({"--verbose", proof}),
+               "mdm-check: no option '--verbose' here: there are --print, --suite, --help");
   check_exit_2(run({"", ""}), ": ");
   check_exit_2(run({"--print"}), "mdm-check: ");
   check_exit_2(run({"--print", proof, proof, proof}), "mdm-check: ");
@@ -138,6 +140,9 @@ TEST_CASE("commands that are wrong", "[checker]") {
 
 TEST_CASE("help and version", "[checker]") {
   const Outcome help = run({"--help"});
+  std::istringstream lines(help.out);
+  for (std::string line; std::getline(lines, line);)
+    CHECK(line.size() <= 100);
   CHECK(help.exit_code == 0);
   CHECK(help.out.find("Examples:") != std::string::npos);
   const Outcome version = run({"--version"});
