@@ -91,7 +91,7 @@ TEST_CASE("classes without mass may be left out or have 0", "[study]") {
   check_no_match(judge(p, "9,1,1"), "class 2 (1.5, 2] has no mass but 1 particle");
   check_no_match(judge(p, "0,1"), "class 1 (1, 1.5] has mass but no particles");
   check_no_match(judge(p, "9"),
-                 "there are 1 quantities: 2 with mass, or one for each of the 3 classes, is right");
+                 "there is 1 quantity: 2 with mass, or one for each of the 3 classes, is right");
   check_no_match(judge(p, "9,0,1,0"), "there are 4 quantities");
   check_no_match(judge(small(), "1,2,3"), "there are 3 quantities: one for each of the 2 classes is right");
   check_no_match(judge(p, "9,1", "1.2"), "there are 1 sizes for 2 quantities");
