@@ -106,6 +106,8 @@ private:
       return say(*below);
     if (a != 0 && b != 0)
       return;
+    if (lacks_share_of_rest(b))
+      with_rest_.push_back(b);
     result_.some_agree = true;
     if (differs_below(a, b))
       return;
@@ -133,6 +135,12 @@ private:
   /// True for masses of the sieves alone beside a column by which something passes the finest sieve.
   bool lacks_rest(const AccountColumn &masses, const AccountColumn &other) const {
     return !a_.rows.have_fines() && masses.adds_masses() && have_rest(other);
+  }
+
+  /// True for a chosen column of the sieves' shares alone beside such a column.
+  bool lacks_share_of_rest(std::size_t other) const {
+    return !a_.rows.have_fines() && column(0).is_share() && column(0).is_retained() && !column(0).below &&
+           have_rest(column(other));
   }
 
   /// True where the difference of what passes the finest sieve is that of the rounding of all sieves: percent
@@ -254,7 +262,7 @@ private:
 
   /// Masses without a row of the pan give way to a column that says what passes the finest sieve.
   void find_deciding() {
-    if (a_.is_asked || !column(0).adds_masses() || with_rest_.empty())
+    if (with_rest_.empty() || !(column(0).adds_masses() || column(0).is_retained()))
       return;
     const auto is_full = [this](std::size_t c) {
       return std::all_of(column(c).sieves.begin(), column(c).sieves.end(),

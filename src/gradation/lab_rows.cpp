@@ -130,7 +130,10 @@ private:
     check_words_of_splitting();
     if (take_second_header() || take_account())
       return;
-    if (value_cell().empty() && number_cell(size_cell()))
+    const bool lacks_value = value_cell().empty() && number_cell(size_cell());
+    if (lacks_value && take_words_below())
+      return;
+    if (lacks_value)
       return read_unvalued();
     if (!take_text())
       read_sieve();
@@ -158,6 +161,7 @@ private:
     SecondHeader(cells_, row_, columns_, *next, source_)
         .check(chosen_.meaning(), words_, !read_.table.sizes.empty(), beside_);
     read_.further_headers.push_back(row().line);
+    sizes_above_ = read_.table.sizes;
     columns_.size = next->size;
     columns_.value = next->value;
     columns_.names = next->names;
@@ -296,6 +300,19 @@ private:
                        is_retained ? "0 where nothing was retained, " : "it, "));
   }
 
+  /// `Gs,2.65,` below the pan, a sum or an empty row: the number is that of the words, which name no sieve.
+  bool take_words_below() {
+    const std::string_view words = row().first();
+    const bool is_below = below_gap_ || !read_.accounts.empty();
+    if (!is_below || number_cell(words) || begins_with_sieve(words) || sizes_.may_be_size(words) ||
+        row_words(words).meaning != RowMeaning::none || may_be_fines(words) || speaks_of_washing(words) ||
+        has_number_beside())
+      return false;
+    words_.add_below(row());
+    leave();
+    return true;
+  }
+
   /// A row that is none of the curve: words without a value, or anything below an empty row that has no size.
   bool take_text() {
     const bool is_size = sizes_.may_be_size(size_cell());
@@ -429,12 +446,24 @@ private:
       table.roundings.push_back(value.half);
       beside_.take(row());
     });
+    check_second_table(table.sizes.back());
     table.lines.push_back(row().line);
     sieves_.push_back(&row());
     note_hidden();
     for (const std::size_t column : {columns_.size, columns_.value})
       if (std::binary_search(row().long_numbers.begin(), row().long_numbers.end(), column))
         read_.long_numbers.add(row().cell(column));
+  }
+
+  /// Sieves of one curve go on below a second header: those among the sieves above it are of another table.
+  void check_second_table(const Rational &size) const {
+    if (sizes_above_.empty())
+      return;
+    const auto [least, largest] = std::minmax_element(sizes_above_.begin(), sizes_above_.end());
+    if (*least <= size && size <= *largest)
+      refuse(fmt::format("the sieve {} of the second table is among those of the first: it may be of another "
+                         "sample, or of a specification: leave one of the two out",
+                         in_quotes(size_cell())));
   }
 
   /// A cell beyond the header is of no column: the row may be split in wrong places.
@@ -497,6 +526,7 @@ private:
   bool below_gap_ = false;
   WordsOfRows words_;
   std::vector<const CellRow *> sieves_;
+  std::vector<Rational> sizes_above_; ///< those above the last header; none where there is one header
 };
 
 } // namespace

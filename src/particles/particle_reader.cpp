@@ -1,3 +1,4 @@
+#include "gradation/plain_words.hpp"
 #include "particles/comment_words.hpp"
 #include "particles/line_reader.hpp"
 #include "particles/particle_columns.hpp"
@@ -207,6 +208,36 @@ std::optional<ParticleFormat> format_of(const std::vector<std::string> &lines, c
   refuse_format(source);
 }
 
+/// True for a line that speaks of sieves or of what passes them.
+bool speaks_of_gradation(const std::string &line) {
+  const std::vector<std::string> words = words_of(line);
+  return has_any_word("percent pct sieve sieves opening aperture retained passing finer cumulative siebweite "
+                      "rueckstand durchgang tamis refus passant tamiz retenido pasa setaccio trattenuto",
+                      words);
+}
+
+/// True where the first numbers of the lines rise or fall, and the fourth do, from or to 100, as sizes and
+/// the percent that passes.
+bool look_like_curve(std::string_view beginning) {
+  std::vector<Rational> sizes, percents;
+  for (std::size_t end = 0; (end = beginning.find('\n')) != std::string_view::npos;
+       beginning.remove_prefix(end + 1)) {
+    std::vector<std::string_view> words;
+    split_words(beginning.substr(0, end), words);
+    constexpr std::size_t numbers = 4;
+    if (words.size() != numbers || !std::all_of(words.begin(), words.end(), is_number))
+      continue;
+    sizes.push_back(parse_decimal(words.front()));
+    percents.push_back(parse_decimal(words.back()));
+  }
+  const auto is_sorted = [](const std::vector<Rational> &all) {
+    return std::is_sorted(all.begin(), all.end()) || std::is_sorted(all.rbegin(), all.rend());
+  };
+  constexpr std::size_t enough = 3;
+  return sizes.size() >= enough && is_sorted(sizes) && is_sorted(percents) &&
+         std::max(percents.front(), percents.back()) == 100;
+}
+
 } // namespace
 
 std::optional<ParticleFormat> told_format(std::string_view beginning) {
@@ -218,6 +249,7 @@ std::optional<ParticleFormat> told_format(std::string_view beginning) {
   const ParticleSource source("", nobody, {});
   std::vector<std::string> lines;
   beginning = without_byte_order_mark(beginning);
+  const std::string_view all = beginning;
   try {
     for (std::size_t end = 0; (end = beginning.find('\n')) != std::string_view::npos;
          beginning.remove_prefix(end + 1)) {
@@ -229,8 +261,11 @@ std::optional<ParticleFormat> told_format(std::string_view beginning) {
           return std::nullopt; // a gradation without its masses, it may be
         particle_columns(names);
       }
-      if (format == ParticleFormat::xyzr && !is_place_and_radius(lines.back()))
-        return std::nullopt; // a table without a header, it may be
+      const bool may_be_table =
+          format == ParticleFormat::xyzr && (!is_place_and_radius(lines.back()) || look_like_curve(all) ||
+                                             std::any_of(lines.begin(), lines.end(), speaks_of_gradation));
+      if (may_be_table)
+        return std::nullopt; // of sieves, with a header or without
       if (format)
         return *format == ParticleFormat::answer ? std::nullopt : format;
     }

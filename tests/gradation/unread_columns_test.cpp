@@ -122,6 +122,49 @@ TEST_CASE("numbers of another series of sieves are not those of ASTM, wherever t
   CHECK(masses("ASTM sieves, project of the BS\n" + table) == "5 60 0");
 }
 
+TEST_CASE(
+    "a column without a pan that was asked for gives way to one by which something passes the finest sieve") {
+  const std::string sheet = "Sieve (mm),Mass retained (g),Retained (%),Passing (%)\n4,0,0,100\n2,20,10,90\n"
+                            "1,60,30,60\n0.5,84,42,18\n";
+  for (const char *kind : {"mass", "retained", "retained_percent"}) {
+    INFO(kind);
+    Reading asked;
+    asked.kind = kind;
+    CHECK(text(read_gradation(sheet, "sand.csv", asked).masses()) == "18 42 30 10 0");
+  }
+  Reading columns;
+  for (const char *names : {"Sieve (mm),Mass retained (g)", "1,3", "1,4"}) {
+    INFO(names);
+    columns.columns = names;
+    CHECK(text(read_gradation(sheet, "sand.csv", columns).masses()) == "18 42 30 10 0");
+  }
+}
+
+TEST_CASE("a second table among the sieves of the first is of another curve") {
+  const std::string first = "Sieve (mm),Passing (%)\n4,100\n1,60\n0.25,18\n";
+  CHECK(contains(refusal(first + "Sieve (mm),Passing (%)\n4,100\n2,70\n1,50\n"), "among those of the first"));
+  CHECK(contains(refusal(first + "Sieve (mm),Passing (%)\n2,80\n0.5,40\n"), "among those of the first"));
+  CHECK(masses(first + "Sieve (mm),Passing (%)\n0.125,10\n0.063,4\n") == "4 6 8 42 40 0");
+}
+
+TEST_CASE("words with a number below the pan are none of a sieve that lacks its mass") {
+  const std::string table = "Sieve No.,Opening (mm),Mass retained (g)\nNo. 5,4,0\nNo. 10,2,20\nPan,,60\n";
+  for (const char *words : {"Gs,2.65,", "Cu,3.1", "D60 (mm),0.42,", "Date,2021-05-14,", "Gravel,19.9,"}) {
+    INFO(words);
+    CHECK(masses(table + words + "\n") == "60 20 0");
+  }
+  CHECK(contains(refusal(table + "No. 20,0.85,\n"), "has no value in the column"));
+  CHECK(contains(refusal(table + "Fines,1.6,\n"), "sand.csv:5: "));
+  CHECK(contains(refusal(table + "Gs,2.65,\nNo. 20,0.85,5\n"), "sand.csv:6: "));
+}
+
+TEST_CASE("a pan and one of the wash may be added, or not") {
+  CHECK(contains(refusal(header + rows + "Pan,10\nPan (wash),60\n"), "may have 'Pan' in it, or not"));
+  CHECK(contains(refusal(header + rows + "Pan,10\nPan - washed,60\n"), "may have 'Pan' in it, or not"));
+  CHECK(masses(header + rows + "Pan,10\nPan + wash,60\n") == "60 130 300 0");
+  CHECK(masses(header + rows + "Pan (wash),60\n") == "60 130 300 0");
+}
+
 TEST_CASE("masses of few sieves that never fall are read with a note") {
   const auto notes = [](const std::string &sieves) {
     const std::vector<std::string> all = read("Sieve (mm),Mass retained (g)\n4,0\n" + sieves).notes();
