@@ -153,7 +153,7 @@ TEST_CASE("the text is the summary, and -o has the rows", "[cli]") {
   CHECK(folder.entries() == 1);
 }
 
-TEST_CASE("-o with the ending of JSON has rows and summary as JSON", "[cli]") {
+TEST_CASE("a file whose name ends in .json has rows and summary as JSON", "[cli]") {
   const TemporaryFolder folder;
   const std::string line = lines_of(read_file(suite))[0] + "\n", file = folder.write("suite.jsonl", line),
                     answers = folder / "answers.jsonl", out = folder / "rows.json";
