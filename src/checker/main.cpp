@@ -146,13 +146,11 @@ Words words_of(std::vector<std::string> arguments) {
     words.answers = take_answers(arguments);
     words.manner.threads = take_threads(arguments);
   }
+  const char *const there_are = words.has_suite ? " behind --suite: there are --answers, -j and --verbose"
+                                                : " here: there are --print, --suite, --help and --version";
   for (const std::string &argument : arguments)
     if (argument.size() > 1 && argument[0] == '-')
-      fail("mdm-check", "no option " + quoted(argument) +
-                            (words.has_suite ? " behind --suite: there are --answers, "
-                                               "-j and --verbose"
-                                             : " here: there are --print, --suite, --help and --version") +
-                            "; see mdm-check --help");
+      fail("mdm-check", "no option " + quoted(argument) + there_are + "; see mdm-check --help");
   words.files = std::move(arguments);
   return words;
 }

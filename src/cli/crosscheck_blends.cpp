@@ -4,7 +4,6 @@
 #include "cli/interrupted.hpp"
 #include "crosscheck/blend_judge.hpp"
 #include "files/blend_lines.hpp"
-#include "files/child_process.hpp"
 #include "files/in_parallel.hpp"
 #include "files/interrupt.hpp"
 #include "files/output.hpp"
@@ -115,9 +114,7 @@ int crosscheck_blends(FileLines &lines, const CrosscheckBlends &c) {
     }
   };
   std::optional<Interrupt> interrupt;
-  if (c.solver)
-    kill_children_on_signals();
-  else
+  if (!c.solver) // whose run Ctrl-C ends on the spot
     interrupt.emplace();
   BlendOptions search;
   search.go_on = [] { return !Interrupt::was_pressed(); };

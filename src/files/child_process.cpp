@@ -181,6 +181,8 @@ std::string last_line(std::string text) {
 
 ChildEnd run_child(const std::string &command, std::string_view input, milliseconds time_limit,
                    std::size_t most_output) {
+  // Children are in groups of their own and would not see what ends this program.
+  [[maybe_unused]] static const bool are_killed_with_this = (before_ending_signals(kill_children), true);
   const Clock::time_point deadline = Clock::now() + time_limit;
   const Descriptor standard_input = file_with(input);
   Pipe output, errors;
@@ -221,10 +223,6 @@ ChildEnd run_child(const std::string &command, std::string_view input, milliseco
     pause();
   end.last_error = last_line(std::move(error_text));
   return end;
-}
-
-void kill_children_on_signals() {
-  before_ending_signals(kill_children);
 }
 
 } // namespace mdm

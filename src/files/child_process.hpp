@@ -20,14 +20,11 @@ struct ChildEnd {
 /// Runs `/bin/sh -c command` with `input` on its standard input, as a process group of its own, until it ends
 /// by itself, the time limit is over, or it has written more than `most_output` bytes. Whatever of the group
 /// is left then is killed; children that it leaves behind are not waited for, even with its pipes open. What
-/// it does not read of its input is no error. Several threads may run programs at once.
+/// it does not read of its input is no error. Several threads may run programs at once. SIGINT, SIGTERM and
+/// SIGHUP, which end this program, first kill those that run; where SIGKILL ends it, the kernel ends their
+/// shells, not what these have started.
 /// \throws InputError if no program can be started
 ChildEnd run_child(const std::string &command, std::string_view input, std::chrono::milliseconds time_limit,
                    std::size_t most_output);
-
-/// Lets SIGINT, SIGTERM and SIGHUP, which end this program, first kill the programs that run_child runs: they
-/// are in groups of their own and would not see them. Call once. Where this program is ended by SIGKILL, the
-/// kernel ends their shells, not what these have started.
-void kill_children_on_signals();
 
 } // namespace mdm

@@ -9,6 +9,4 @@ ChildEnd run_child(const std::string &, std::string_view, std::chrono::milliseco
   throw InputError("this mdm runs no other programs: use mdm of the command line");
 }
 
-void kill_children_on_signals() {}
-
 } // namespace mdm

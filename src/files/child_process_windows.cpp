@@ -9,6 +9,4 @@ ChildEnd run_child(const std::string &, std::string_view, std::chrono::milliseco
   throw InputError("on Windows mdm runs no other programs: use mdm of Linux, as in WSL");
 }
 
-void kill_children_on_signals() {}
-
 } // namespace mdm

@@ -53,7 +53,6 @@ Solver::Solver(std::string command, std::chrono::milliseconds time_limit,
     : command_(std::move(command)), time_limit_(time_limit) {
   if (journal)
     journal_ = std::make_unique<Journal>(*journal, command_);
-  kill_children_on_signals();
 }
 
 OtherAnswer Solver::answer(const Gradation &g, std::uint64_t line) {

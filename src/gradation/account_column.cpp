@@ -86,6 +86,14 @@ std::optional<PrintedNumber> AccountColumn::between(std::size_t first, std::size
   return passes ? above - here : here - above;
 }
 
+std::vector<Rational> AccountColumn::numbers() const {
+  std::vector<Rational> all;
+  for (const std::optional<PrintedNumber> &number : sieves)
+    if (number)
+      all.push_back(number->value);
+  return all;
+}
+
 std::optional<PrintedNumber> AccountColumn::retained() const {
   return between(0, sieves.size());
 }

@@ -29,6 +29,8 @@ struct AccountColumn {
   bool is_retained() const { return meaning.meaning == ColumnMeaning::retained; }
   /// True for masses that are added up, those of the single sieves or cumulative ones.
   bool adds_masses() const { return !is_share() && meaning.meaning != ColumnMeaning::passing; }
+  /// The numbers that sieves have, from the coarsest on.
+  std::vector<Rational> numbers() const;
   /// What all sieves retain, the finest included; nothing where it is not known.
   std::optional<PrintedNumber> retained() const;
   /// The whole: 100 of shares that pass or are cumulative, else the sum; nothing where it is not known.

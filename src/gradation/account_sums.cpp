@@ -27,6 +27,7 @@ public:
       if (const std::optional<PrintedNumber> total = in_unit_of(column(*mass_column_), stated_.total))
         check_total(*mass_column_, *total, *stated_.total);
       check_initial(*mass_column_);
+      check_missing_pan(*mass_column_);
       check_uncompared(*mass_column_);
       check_washed(*mass_column_);
       check_loss(*mass_column_);
@@ -211,21 +212,24 @@ private:
         fmt::format("{} is {}; it belongs to no sieve.", in_quotes(where.label), shown(loss.value)));
   }
 
-  /// A mass that is more than all rows together may be the sample before something was lost; any mass may be
-  /// what passes the finest sieve, where no row says that.
-  void check_uncompared(std::size_t c) const {
-    const std::optional<PrintedNumber> whole = column(c).whole();
-    if (stated_.initial)
+  /// Where no row says what passes the finest sieve, any mass may.
+  void check_missing_pan(std::size_t c) const {
+    if (column(c).below || compared_.deciding != c || stated_.initial)
       return;
     for (const StatedMass &stated : stated_.uncompared)
-      if (!column(c).below && compared_.deciding == c && stated.mass.value != 0)
+      if (stated.mass.value != 0)
         source_.refuse(
             stated.line,
             fmt::format(
                 "{} may pass the finest sieve, and the table has no row of the pan: write it as a row "
                 "'Pan' or 'Wash loss' if it does, else the row 'Pan' with what does, or 0",
                 in_quotes(stated.label)));
-    if (!whole)
+  }
+
+  /// A mass that is more than all rows together may be the sample before something was lost.
+  void check_uncompared(std::size_t c) const {
+    const std::optional<PrintedNumber> whole = column(c).whole();
+    if (!whole || stated_.initial)
       return;
     for (const StatedMass &stated : stated_.uncompared)
       if (const PrintedNumber mass = *in_unit_of(column(c), stated);
@@ -271,25 +275,14 @@ private:
       return fmt::format("if {0} is cumulative, say {1} cumulative, else {1} retained_percent",
                          quoted(compared_.deciding), option("kind"));
     const std::string rest = shown(Rational(100 - sum.value));
-    return rise()
+    const std::vector<Rational> numbers = deciding().numbers();
+    return std::is_sorted(numbers.begin(), numbers.end()) // as sums are
                ? fmt::format("say {} cumulative if each has what coarser sieves retain, else write the row "
                              "'pan' with {}",
                              option("kind"), rest)
                : fmt::format("write the row 'pan' with {} if that passes the finest sieve, or take them as "
                              "they are with {} retained_percent",
                              rest, option("kind"));
-  }
-
-  /// True where the deciding column's numbers never fall from the coarsest sieve on, as sums do.
-  bool rise() const {
-    std::optional<Rational> last;
-    for (const std::optional<PrintedNumber> &number : deciding().sieves) {
-      if (number && last && number->value < *last)
-        return false;
-      if (number)
-        last = number->value;
-    }
-    return true;
   }
 
   /// Percent that pass must have the wash loss.

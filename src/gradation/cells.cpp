@@ -110,15 +110,15 @@ Cells cells_of_text(std::string_view text, char delimiter, std::size_t skip, con
       gap = true;
       continue;
     }
+    count += cells.size();
+    if (count > max_cells)
+      source.refuse(line,
+                    fmt::format("the table has more than {} cells: give the gradation alone", max_cells));
     if (is_comment(cells)) {
       cells.front().erase(0, cells.front().find_first_not_of("# "));
       table.comments.push_back({line, false, std::move(cells)});
       continue;
     }
-    count += cells.size();
-    if (count > max_cells)
-      source.refuse(line,
-                    fmt::format("the table has more than {} cells: give the gradation alone", max_cells));
     table.rows.push_back({line, gap, std::move(cells)});
     gap = false;
   }

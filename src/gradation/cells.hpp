@@ -51,7 +51,7 @@ struct Cells {
   std::vector<CellRow> comments = {}; ///< of text: the lines that begin with #, without that
 };
 
-/// Text cut at tabs, semicolons or commas. Empty rows and comments are left out, as in the canonical CSV.
+/// Text cut at tabs, semicolons or commas. Empty rows are left out, and comments kept apart.
 /// Where a quoted cell is not closed, the line is one cell.
 /// \param skip lines at the top that are left out
 /// \throws InputError beyond max_cells

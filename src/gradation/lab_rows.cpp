@@ -161,7 +161,10 @@ private:
     SecondHeader(cells_, row_, columns_, *next, source_)
         .check(chosen_.meaning(), words_, !read_.table.sizes.empty(), beside_);
     read_.further_headers.push_back(row().line);
-    sizes_above_ = read_.table.sizes;
+    if (const std::vector<Rational> &sizes = read_.table.sizes; !sizes.empty()) {
+      const auto [least, largest] = std::minmax_element(sizes.begin(), sizes.end());
+      above_header_ = Interval(*least, *largest);
+    }
     columns_.size = next->size;
     columns_.value = next->value;
     columns_.names = next->names;
@@ -457,10 +460,7 @@ private:
 
   /// Sieves of one curve go on below a second header: those among the sieves above it are of another table.
   void check_second_table(const Rational &size) const {
-    if (sizes_above_.empty())
-      return;
-    const auto [least, largest] = std::minmax_element(sizes_above_.begin(), sizes_above_.end());
-    if (*least <= size && size <= *largest)
+    if (above_header_ && above_header_->lo <= size && size <= above_header_->hi)
       refuse(fmt::format("the sieve {} of the second table is among those of the first: it may be of another "
                          "sample, or of a specification: leave one of the two out",
                          in_quotes(size_cell())));
@@ -506,7 +506,7 @@ private:
       add_statements({row().line, false, {beside.cells[i], std::string(beside.cell(i + 1))}}, nullptr,
                      statements);
       for (const MassStatement &s : statements)
-        if (s.is_sentence || UnusedColumns::names_mass(s.label))
+        if (UnusedColumns::states_mass(s))
           refuse_beside(s.label, size_cell());
     }
   }
@@ -526,7 +526,7 @@ private:
   bool below_gap_ = false;
   WordsOfRows words_;
   std::vector<const CellRow *> sieves_;
-  std::vector<Rational> sizes_above_; ///< those above the last header; none where there is one header
+  std::optional<Interval> above_header_; ///< the sizes above the last header; nothing of the first
 };
 
 } // namespace

@@ -132,7 +132,8 @@ void RowSizes::find_series(const Cells &cells) {
   const auto look = [this](const CellRow &row, bool has_sizes) {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const std::string &cell = row.cells[i];
-      if (has_sizes && i == columns_.size && is_numbered(cell) && has_digit(cell))
+      const bool is_size = has_sizes && i == columns_.size && is_numbered(cell) && has_digit(cell);
+      if (is_size || number_cell(cell))
         continue;
       const std::vector<std::string> words = words_of(cell);
       const bool is_of_sieves = tells_other_sieves(words);

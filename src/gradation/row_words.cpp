@@ -80,6 +80,7 @@ constexpr std::string_view splitting =
     "reduit reduite reduits cuarteo cuarteado cuarteada submuestra reducida reducido quartatura "
     "sottocampione "
     "ridotto ridotta";
+constexpr std::string_view joining = "and und et y e plus with mit con avec";
 constexpr std::string_view factor =
     "factor faktor umrechnungsfaktor facteur fattore coefficient koeffizient coeff multiplier multiplikator";
 constexpr std::string_view beside_factor = "correction korrektur conversion scale f k x of the";
@@ -248,7 +249,7 @@ RowMeaning meaning_of(const Words &words, bool passes) {
     return washes                ? RowMeaning::initial_mass
            : words.have(sieving) ? RowMeaning::sieved_mass
                                  : RowMeaning::none;
-  if (words.have(pan) && words.have(sample) && words.have("and und et y e plus with mit con avec"))
+  if (words.have(pan) && words.have(sample) && words.have(joining))
     return RowMeaning::none; // the pan is weighed with what is in it
   if (words.have(pan) && (washes || !dries))
     return washes ? RowMeaning::pan_and_wash : RowMeaning::pan;
@@ -314,6 +315,13 @@ bool speaks_of_splitting(std::string_view text) {
          words.have_two("sub", "sample samples") || words.have_part_of_mass() || words.have_part_sieved() ||
          words.have_factor_of_part() || has_fraction_of(text) ||
          (words.have("portion prise") && (words.have(passing) || has_sign_of_passing(text)));
+}
+
+bool joins_parts(std::string_view label) {
+  using namespace row_vocabulary;
+  const Words words(label);
+  return label.find_first_of("+&") != std::string_view::npos || words.have(joining) ||
+         words.have("incl including total");
 }
 
 bool speaks_of_part(std::string_view text) {

@@ -41,6 +41,9 @@ bool speaks_of_washing(std::string_view text);
 /// reduced.
 bool speaks_of_splitting(std::string_view text);
 
+/// True for the label of a row that says that it has two parts: `Pan + wash`; `Pan (wash)` may be one.
+bool joins_parts(std::string_view label);
+
 /// True for words of what passes a sieve, whose percents may be of that part: fraction, fines, < 63 um.
 bool speaks_of_part(std::string_view text);
 

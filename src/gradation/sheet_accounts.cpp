@@ -1,6 +1,5 @@
 #include "gradation/sheet_accounts.hpp"
 
-#include "gradation/plain_words.hpp"
 #include "gradation/shown.hpp"
 
 #include <mdm/text/error.hpp>
@@ -79,15 +78,9 @@ private:
   /// Of one row of all that passes and one of a part the first must say that it has the second.
   void check_part(const AccountRow &row, const PrintedNumber &part, const PrintedNumber &all) const {
     const AccountRow &all_row = *rows_.all_fines();
-    const bool is_unclear = all_row.meaning == RowMeaning::passing || !joins(all_row.label);
+    const bool is_unclear = all_row.meaning == RowMeaning::passing || !joins_parts(all_row.label);
     if (part.range().lo > all.range().hi || (is_unclear && !agree(part, all)))
       refuse_unclear(all_row, row.label);
-  }
-
-  /// True for `Pan + wash`; `Pan (wash)` may be a part.
-  static bool joins(const std::string &label) {
-    return label.find_first_of("+&") != std::string::npos ||
-           has_any_word("plus and incl including with und mit et y e con avec total", words_of(label));
   }
 
   /// What passes the finest sieve in one row, and may have a part of it or not.

@@ -33,17 +33,14 @@ constexpr std::string_view beside_percent =
 /// Words of percent that are of no mass of a row: of a specification, of errors, and of an assay.
 constexpr std::string_view of_other_percent =
     "spec specification specified target required requirement envelope limit limits grading soll sollwert "
-    "jmf "
-    "design error errors deviation std stdev sd rsd cv difference diff delta uncertainty repeatability "
+    "jmf design error errors deviation std stdev sd rsd cv difference diff delta uncertainty repeatability "
     "recovery tolerance fehler abweichung differenz toleranz ecart tolerancia scarto error desviacion "
     "assay grade ash loi organic carbonate caco3 fe cu zn pb ag au ni mn ti sio2 al2o3 fe2o3 cao mgo tio2 "
-    "p2o5 "
-    "s c";
-constexpr std::string_view of_changes =
-    "factor faktor facteur fattore multiplier scale scaling ratio teilung x coefficient koeffizient "
-    "weighting "
-    "dilution tested moisture water wasser wassergehalt feuchte w wc mc solids eau agua humedad acqua "
-    "umidita";
+    "p2o5 s c";
+constexpr std::string_view of_changes = "factor faktor facteur fattore multiplier scale scaling ratio "
+                                        "teilung x coefficient koeffizient weighting "
+                                        "dilution tested moisture water wasser wassergehalt feuchte w wc mc "
+                                        "solids eau agua humedad acqua umidita";
 
 /// What the numbers of such a column may be.
 constexpr std::array readings = {ColumnMeaning::retained, ColumnMeaning::cumulative, ColumnMeaning::passing};
@@ -59,19 +56,14 @@ bool is_whole(const AccountColumn &masses, const Interval &whole, const AllowedL
 bool may_be(ColumnMeaning meaning, const AccountColumn &unread) {
   if (meaning == ColumnMeaning::retained)
     return true;
-  std::vector<Rational> numbers;
-  for (const std::optional<PrintedNumber> &number : unread.sieves)
-    if (number)
-      numbers.push_back(number->value);
+  std::vector<Rational> numbers = unread.numbers();
   if (meaning == ColumnMeaning::passing)
     std::reverse(numbers.begin(), numbers.end());
   return std::is_sorted(numbers.begin(), numbers.end());
 }
 
-/// True where the deciding masses are the difference of two columns, row by row.
-bool is_weighed_pair(const AccountColumn &values, const AccountColumn &full, const AccountColumn &empty) {
-  if (!values.is_retained() || values.is_share())
-    return false;
+/// True where masses are the difference of two columns, row by row. \pre values are of single sieves
+bool are_differences(const AccountColumn &values, const AccountColumn &full, const AccountColumn &empty) {
   for (std::size_t i = 0; i < values.sieves.size(); ++i) {
     const std::optional<PrintedNumber> &net = values.sieves[i], &gross = full.sieves[i],
                                        &tare = empty.sieves[i];
@@ -81,10 +73,8 @@ bool is_weighed_pair(const AccountColumn &values, const AccountColumn &full, con
   return true;
 }
 
-/// True where a column has the deciding masses with the mass of one container.
+/// True where a column has the masses with that of one container. \pre as above
 bool is_with_one_tare(const AccountColumn &values, const AccountColumn &full) {
-  if (!values.is_retained() || values.is_share())
-    return false;
   Rational least = 0;
   std::optional<Rational> most;
   for (std::size_t i = 0; i < values.sieves.size(); ++i) {
@@ -98,13 +88,16 @@ bool is_with_one_tare(const AccountColumn &values, const AccountColumn &full) {
   return most && least > 0 && least <= *most;
 }
 
-/// True for one of two columns whose difference the deciding masses are.
-bool is_of_weighed_pair(const AccountColumn &values, const AccountColumn &unread,
-                        const std::vector<AccountColumn> &others) {
-  return std::any_of(others.begin(), others.end(), [&](const AccountColumn &other) {
-    return &other != &unread &&
-           (is_weighed_pair(values, unread, other) || is_weighed_pair(values, other, unread));
-  });
+/// True for a column of masses with a container, or of the containers, beside those without.
+bool is_of_weighing(const AccountColumn &values, const AccountColumn &unread,
+                    const std::vector<AccountColumn> &others) {
+  if (!values.is_retained() || values.is_share())
+    return false;
+  return is_with_one_tare(values, unread) ||
+         std::any_of(others.begin(), others.end(), [&](const AccountColumn &other) {
+           return &other != &unread &&
+                  (are_differences(values, unread, other) || are_differences(values, other, unread));
+         });
 }
 
 /// True where the column has what stays below each size, as instruments write the shares of their channels
@@ -197,9 +190,8 @@ void check_unread(const OrderedAccounts &accounts, std::size_t deciding, const S
     const std::optional<ColumnMeaning> meaning = meaning_of(values, unread, accounts.loss);
     const bool lacks_rest =
         meaning && values.adds_masses() && !values.below && have_rest(unread, *meaning, accounts.loss);
-    const bool is_explained = is_of_weighed_pair(values, unread, accounts.unread) ||
-                              is_with_one_tare(values, unread) || is_of_classes_below(values, unread);
-    if ((meaning && !lacks_rest) || (!meaning && is_explained))
+    if (meaning ? !lacks_rest
+                : is_of_weighing(values, unread, accounts.unread) || is_of_classes_below(values, unread))
       continue;
     const std::string difference =
         lacks_rest

@@ -3,7 +3,6 @@
 #include "gradation/cell_numbers.hpp"
 #include "gradation/corrected_values.hpp"
 #include "gradation/limit_columns.hpp"
-#include "gradation/mass_statements.hpp"
 #include "gradation/plain_words.hpp"
 #include "gradation/row_words.hpp"
 #include "gradation/unread_columns.hpp"

@@ -2,6 +2,7 @@
 /// \file
 /// The columns of a sheet that are not read, in which nothing must be overlooked.
 
+#include "gradation/mass_statements.hpp"
 #include "gradation/table.hpp"
 #include "gradation/table_columns.hpp"
 #include "gradation/value_columns.hpp"
@@ -49,6 +50,10 @@ public:
 
   /// True for words of a mass of the table or its sample; `wet` and `total` may be remarks.
   static bool names_mass(std::string_view cell);
+  /// True for a statement of one, or of what may be one in a sentence.
+  static bool states_mass(const MassStatement &statement) {
+    return statement.is_sentence || names_mass(statement.label);
+  }
 
 private:
   [[noreturn]] void refuse(const CellRow &row, const std::string &what) const {

@@ -1,7 +1,6 @@
 #include "gradation/words_above.hpp"
 
 #include "gradation/column_words.hpp"
-#include "gradation/mass_statements.hpp"
 #include "gradation/plain_words.hpp"
 #include "gradation/row_words.hpp"
 #include "gradation/unused_columns.hpp"
@@ -29,8 +28,10 @@ bool states_sums(std::string_view cell) {
 /// The unit of length that a sentence gives to sizes: `All sizes in micrometres`; none of one with a number,
 /// as `Sieves of 8 in`.
 ColumnUnit unit_of_sizes(std::string_view cell) {
+  if (has_digit(cell))
+    return ColumnUnit::none;
   const std::vector<std::string> words = words_of(cell);
-  if (words.size() < 3 || has_digit(cell) ||
+  if (words.size() < 3 ||
       !has_any_word("size sizes sieve sieves opening openings siebe siebweiten ouvertures aberturas aperture",
                     words) ||
       !has_two_words("in are en sind sont son sono", words.back(), words))
@@ -106,9 +107,7 @@ void check_comments(const Cells &cells, const TableColumns &columns, const Sourc
   for (const CellRow &comment : cells.comments) {
     std::vector<MassStatement> statements;
     add_statements(comment, nullptr, statements);
-    const bool has_mass = std::any_of(statements.begin(), statements.end(), [](const MassStatement &s) {
-      return s.is_sentence || UnusedColumns::names_mass(s.label);
-    });
+    const bool has_mass = std::any_of(statements.begin(), statements.end(), UnusedColumns::states_mass);
     const bool changes_values =
         std::any_of(comment.cells.begin(), comment.cells.end(), [are_retained](const std::string &cell) {
           return speaks_of_splitting(cell) || (are_retained && states_sums(cell));

@@ -441,6 +441,22 @@ TEST_CASE("a run that is interrupted takes its solvers with it, which is no answ
   }
 }
 
+TEST_CASE("a run of blends that is interrupted takes its solver with it", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string pids = folder / "pids",
+                    problem =
+                        folder.write("p.jsonl", R"({"id":"b","stockpiles":[{"name":"A","passing":[60]},)"
+                                                R"({"name":"B","passing":[0]}],)"
+                                                R"("sieves":[{"size":1,"least":10,"most":30}]})"
+                                                "\n");
+  Process process(MDM_PROGRAM,
+                  {"crosscheck", problem, "--solver", "echo $$ >> '" + pids + "'; exec sleep 1000"});
+  REQUIRE(wait_for_lines(pids, 1));
+  process.signal(SIGTERM);
+  CHECK(process.end().signal == SIGTERM);
+  CHECK(wait_until_gone(lines_of(read_file(pids)).at(0)));
+}
+
 TEST_CASE("a CSV answer leaves the size of no particles out", "[cli]") {
   const TemporaryFolder folder;
   const std::string gapped = R"({"id":"gap","sizes":[1,2,3,4],"masses":[2,0,1,0]})";
